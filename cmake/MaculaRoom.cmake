@@ -1,0 +1,24 @@
+# Warnings, sanitizers and the function that makes a library of one folder ("room").
+
+add_library(macula_options INTERFACE)
+target_include_directories(macula_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(macula_options INTERFACE -Wall -Wextra -Wshadow -Wconversion
+  # Contraction into FMA would make CPU mirrors and hashes depend on the machine.
+  -ffp-contract=off)
+if(MACULA_WERROR)
+  target_compile_options(macula_options INTERFACE -Werror)
+endif()
+if(MACULA_SANITIZE)
+  target_compile_options(macula_options INTERFACE -fsanitize=address,undefined
+    -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(macula_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# macula_room(NAME SOURCES a.cpp b.cpp DEPENDS room_or_library ...)
+# Makes the static library macula_NAME. What is not listed in DEPENDS cannot be linked, so the
+# lists of dependencies are the map of which room may use which.
+function(macula_room NAME)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(macula_${NAME} STATIC ${ROOM_SOURCES})
+  target_link_libraries(macula_${NAME} PUBLIC macula_options ${ROOM_DEPENDS})
+endfunction()

@@ -1,0 +1,63 @@
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+
+namespace macula::scene {
+namespace {
+
+// A sun from the upper right behind the camera: 3 lux makes a white diffuse surface facing it
+// about 0.95, and the ambient term keeps shadows readable.
+constexpr float kKeyIntensity = 3.0F;
+const glm::vec3 kKeyDirection{-0.45F, -0.8F, -0.4F};
+constexpr float kDefaultAmbient = 0.25F;
+
+bool hasLitMaterial(const Scene& scene) {
+  return std::any_of(scene.primitives.begin(), scene.primitives.end(),
+                     [&](const Primitive& p) { return !scene.materialOf(p).unlit; });
+}
+
+}  // namespace
+
+const Material& Scene::materialOf(const Primitive& primitive) const {
+  static const Material kDefault;
+  if (primitive.material == kNone) return kDefault;
+  return materials[static_cast<std::size_t>(primitive.material)];
+}
+
+Bounds boundsOf(const Scene& scene) {
+  Bounds bounds;
+  for (const Instance& instance : scene.instances) {
+    // Through the corners of the primitive's own box: exact enough to frame it, and fast.
+    Bounds local;
+    for (const glm::vec3& p : scene.primitives[instance.primitive].positions) local.add(p);
+    if (local.empty()) continue;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const glm::vec3 p{(corner & 1U) != 0 ? local.max.x : local.min.x,
+                        (corner & 2U) != 0 ? local.max.y : local.min.y,
+                        (corner & 4U) != 0 ? local.max.z : local.min.z};
+      bounds.add(glm::vec3(instance.transform * glm::vec4(p, 1.0F)));
+    }
+  }
+  return bounds;
+}
+
+void addDefaultLights(Scene& scene) {
+  if (!hasLitMaterial(scene)) return;
+  if (scene.lights.empty()) {
+    Light key;
+    key.direction = glm::normalize(kKeyDirection);
+    key.intensity = kKeyIntensity;
+    scene.lights.push_back(key);
+    if (scene.ambient == glm::vec3(0.0F)) scene.ambient = glm::vec3(kDefaultAmbient);
+  }
+  const auto casts = [](const Light& light) { return light.castsShadow; };
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), casts)) return;
+  for (Light& light : scene.lights) {
+    if (light.type == LightType::Directional) {
+      light.castsShadow = true;
+      return;
+    }
+  }
+}
+
+}  // namespace macula::scene
