@@ -1,0 +1,43 @@
+#include "engine/gl/capabilities.h"
+
+#include "engine/core/error.h"
+#include "engine/gl/gl.h"
+
+namespace macula::gl {
+namespace {
+
+std::string text(GLenum name) {
+  const GLubyte* value = glGetString(name);
+  return value == nullptr ? std::string() : reinterpret_cast<const char*>(value);
+}
+
+int integer(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+}  // namespace
+
+Capabilities readCapabilities() {
+  constexpr int kNeededVersion = 45;
+  Capabilities c;
+  c.renderer = text(GL_RENDERER);
+  c.version = text(GL_VERSION);
+  c.vendor = text(GL_VENDOR);
+  if (epoxy_gl_version() < kNeededVersion) {
+    failInput("{}: offers OpenGL {}, and Macula needs 4.5; use a newer driver or another device",
+              c.renderer, c.version);
+  }
+  c.major = integer(GL_MAJOR_VERSION);
+  c.minor = integer(GL_MINOR_VERSION);
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &c.maxStorageBlockBytes);
+  c.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+  c.maxSamples = integer(GL_MAX_SAMPLES);
+  c.fragmentShaderInterlock = epoxy_has_gl_extension("GL_ARB_fragment_shader_interlock");
+  c.timerQuery = true;  // core since 3.3; whether it tells the truth is for the time-source check
+  c.ordersFragmentsPerPixel = c.renderer.starts_with("llvmpipe");
+  return c;
+}
+
+}  // namespace macula::gl

@@ -1,0 +1,29 @@
+// What the context offers, read once.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace macula::gl {
+
+/// Limits and extensions of the current context that Macula decides by.
+struct Capabilities {
+  std::string renderer;
+  std::string version;
+  std::string vendor;
+  int major = 0;
+  int minor = 0;
+  std::int64_t maxStorageBlockBytes = 0;  ///< GL_MAX_SHADER_STORAGE_BLOCK_SIZE
+  int maxTextureSize = 0;
+  int maxSamples = 0;
+  bool fragmentShaderInterlock = false;  ///< GL_ARB_fragment_shader_interlock
+  bool timerQuery = false;
+  /// Rasterisers known to draw a pixel's fragments in order on one thread; still to be confirmed by
+  /// the synchronisation self-test.
+  bool ordersFragmentsPerPixel = false;
+};
+
+/// @throws InputError where the context is below OpenGL 4.5, naming what it offers.
+[[nodiscard]] Capabilities readCapabilities();
+
+}  // namespace macula::gl

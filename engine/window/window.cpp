@@ -1,0 +1,84 @@
+#include "engine/window/window.h"
+
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+
+#include "engine/core/error.h"
+
+namespace macula::window {
+namespace {
+
+std::string glfwReason() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text == nullptr ? "no reason given" : text;
+}
+
+}  // namespace
+
+Window::Window(const Settings& settings) {
+  if (glfwInit() != GLFW_TRUE) {
+    failInput("no display to open a window on ({}); set DISPLAY, or use 'macula replay' without one",
+              glfwReason());
+  }
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, settings.debug ? GLFW_TRUE : GLFW_FALSE);
+  // The frame has its own depth; the window needs only colour.
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  window_ = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr,
+                             nullptr);
+  if (window_ == nullptr) {
+    const std::string reason = glfwReason();
+    glfwTerminate();
+    failInput("no window with OpenGL 4.5 core ({}); use a newer driver, or 'macula replay' without "
+              "a window", reason);
+  }
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(settings.vsync ? 1 : 0);
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+bool Window::shouldClose() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::pollEvents() { glfwPollEvents(); }
+void Window::swap() { glfwSwapBuffers(window_); }
+
+glm::ivec2 Window::framebufferSize() const {
+  glm::ivec2 size{0};
+  glfwGetFramebufferSize(window_, &size.x, &size.y);
+  return size;
+}
+
+glm::vec2 Window::pointer() const {
+  double x = 0.0;
+  double y = 0.0;
+  int width = 1;
+  int height = 1;
+  glfwGetCursorPos(window_, &x, &y);
+  glfwGetWindowSize(window_, &width, &height);
+  // Screen coordinates on both sides, so the content scale cancels.
+  return {static_cast<float>(x / width), static_cast<float>(y / height)};
+}
+
+bool Window::keyDown(int glfwKey) const { return glfwGetKey(window_, glfwKey) == GLFW_PRESS; }
+
+bool Window::mouseDown(int glfwButton) const {
+  return glfwGetMouseButton(window_, glfwButton) == GLFW_PRESS;
+}
+
+bool displayAvailable() {
+  const char* x11 = std::getenv("DISPLAY");
+  const char* wayland = std::getenv("WAYLAND_DISPLAY");
+  return (x11 != nullptr && *x11 != '\0') || (wayland != nullptr && *wayland != '\0');
+}
+
+}  // namespace macula::window

@@ -1,0 +1,46 @@
+// A GLFW window with an OpenGL 4.5 core context.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+struct GLFWwindow;
+
+namespace macula::window {
+
+/// One window; its context is current on the thread that made it.
+class Window {
+ public:
+  struct Settings {
+    int width = 1280;   ///< client area, screen coordinates
+    int height = 720;
+    std::string title = "Macula";
+    bool debug = false;  ///< debug context
+    bool vsync = true;
+  };
+  /// @throws InputError where there is no display or it offers no OpenGL 4.5
+  explicit Window(const Settings& settings);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  [[nodiscard]] GLFWwindow* handle() const { return window_; }
+  [[nodiscard]] bool shouldClose() const;
+  void requestClose();
+  void pollEvents();
+  void swap();
+  [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< pixels
+  /// Pointer position, 0..1 of the client area from the top left; outside it beyond 0..1.
+  [[nodiscard]] glm::vec2 pointer() const;
+  [[nodiscard]] bool keyDown(int glfwKey) const;
+  [[nodiscard]] bool mouseDown(int glfwButton) const;
+
+ private:
+  GLFWwindow* window_ = nullptr;
+};
+
+/// Whether a display can be opened (X11 or Wayland).
+[[nodiscard]] bool displayAvailable();
+
+}  // namespace macula::window
