@@ -1,0 +1,28 @@
+// Memory barriers from declarations. No GL calls.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "engine/frame/pass.h"
+#include "engine/gl/gl.h"
+
+namespace macula::frame {
+
+/// Follows the passes of a frame and says which barrier bits each one needs before it runs.
+/// Only writes by image store and shader storage are incoherent (OpenGL 4.5, section 7.12.2);
+/// render targets and clears are ordered by the driver.
+class BarrierTracker {
+ public:
+  /// The bits for glMemoryBarrier before a pass with these touches; 0 where none is needed. Then
+  /// notes what the pass writes.
+  GLbitfield before(std::span<const Touch> touches);
+  /// Forgets all pending writes, as after glFinish.
+  void reset() { pending_.fill(0); }
+
+ private:
+  /// Per resource: the barrier bits not yet issued since its last incoherent write.
+  std::array<GLbitfield, kResourceCount> pending_{};
+};
+
+}  // namespace macula::frame

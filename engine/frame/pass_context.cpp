@@ -1,0 +1,32 @@
+#include "engine/frame/pass_context.h"
+
+namespace macula::frame {
+
+void PassContext::use(const gl::ProgramKey& key) const { glUseProgram(programs_.get(key)); }
+
+void PassContext::bindTexture(GLuint unit, Resource r) const {
+  glBindTextureUnit(unit, resources_.texture(r).id());
+}
+
+void PassContext::bindImage(GLuint unit, Resource r, GLenum access) const {
+  const gl::Texture& texture = resources_.texture(r);
+  glBindImageTexture(unit, texture.id(), 0, GL_FALSE, 0, access, texture.format());
+}
+
+void PassContext::bindStorage(GLuint binding, Resource r) const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, resources_.buffer(r).id());
+}
+
+void PassContext::bindTargets(std::initializer_list<Resource> colors, Resource depth) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, resources_.framebuffer(colors, depth));
+  const Resource sized = colors.size() > 0 ? *colors.begin() : depth;
+  const gl::Texture& texture = resources_.texture(sized);
+  glViewport(0, 0, texture.width(), texture.height());
+}
+
+void PassContext::dispatch(glm::ivec2 threads, glm::ivec2 group) const {
+  const glm::ivec2 groups = (threads + group - 1) / group;
+  glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+}
+
+}  // namespace macula::frame

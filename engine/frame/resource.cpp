@@ -1,0 +1,52 @@
+#include "engine/frame/resource.h"
+
+#include <array>
+
+namespace macula::frame {
+namespace {
+
+using enum SizeRule;
+using R = Resource;
+using B = ByteClass;
+using C = ClearKind;
+
+constexpr std::array<ResourceInfo, kResourceCount> kResources{{
+    {R::ShadowMap, "shadow map", GL_DEPTH_COMPONENT32F, Fixed, B::Other, C::Never},
+    {R::Depth, "depth", GL_DEPTH_COMPONENT32F, Display, B::GBuffer, C::Zero},
+    {R::Normal, "normal", GL_RG16_SNORM, Display, B::GBuffer, C::Never},
+    {R::BaseColor, "base colour", GL_SRGB8_ALPHA8, Display, B::GBuffer, C::Never},
+    {R::Surface, "surface", GL_RGBA8, Display, B::GBuffer, C::Never},
+    {R::Emissive, "emissive", GL_R11F_G11F_B10F, Display, B::GBuffer, C::Never},
+    {R::HdrColor, "HDR colour", GL_RGBA16F, Display, B::Other, C::Background},
+    // 32-bit, because 16-bit floats stop counting at 2,048.
+    {R::FragmentCount, "fragment count", GL_R32F, Display, B::Overhead, C::Zero},
+    {R::FrontNormal, "front normal", GL_RGBA8_SNORM, Display, B::Overhead, C::Zero},
+    {R::Importance, "importance", GL_R32UI, Display, B::Overhead, C::Zero},
+    {R::ImportanceFactors, "importance factors", GL_RGBA16F, Display, B::Overhead, C::Zero},
+    {R::FragmentRange, "fragment range", GL_RG32UI, Display, B::Overhead, C::Zero},
+    {R::FragmentFill, "fragment fill", GL_R32UI, Display, B::Overhead, C::Zero},
+    {R::FragmentLock, "fragment lock", GL_R32UI, Display, B::Overhead, C::Zero},
+    {R::FragmentKeys, "fragment keys", 0, Bytes, B::Oit, C::Never},
+    {R::FragmentColors, "fragment colours", 0, Bytes, B::Oit, C::Never},
+    {R::OitTotals, "transparency totals", 0, Bytes, B::Overhead, C::Zero},
+    {R::LinearColor, "linear colour", GL_RGBA32F, Output, B::Other, C::Never},
+    {R::DisplayColor, "display colour", GL_RGBA8, Output, B::Other, C::Never},
+}};
+
+constexpr bool inOrder() {
+  for (std::size_t i = 0; i < kResourceCount; ++i) {
+    if (static_cast<std::size_t>(kResources[i].id) != i) return false;
+  }
+  return true;
+}
+static_assert(inOrder(), "the table stands in the order of the enumeration");
+
+}  // namespace
+
+const ResourceInfo& infoOf(Resource resource) {
+  return kResources[static_cast<std::size_t>(resource)];
+}
+
+std::string_view nameOf(Resource resource) { return infoOf(resource).name; }
+
+}  // namespace macula::frame
