@@ -1,7 +1,8 @@
 # Warnings, sanitizers and the function that makes a library of one folder ("room").
 
 add_library(macula_options INTERFACE)
-target_include_directories(macula_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(macula_options INTERFACE ${PROJECT_SOURCE_DIR}
+  ${PROJECT_SOURCE_DIR}/shaders)  # headers that C++ shares with GLSL
 target_compile_options(macula_options INTERFACE -Wall -Wextra -Wshadow -Wconversion
   # Contraction into FMA would make CPU mirrors and hashes depend on the machine.
   -ffp-contract=off)

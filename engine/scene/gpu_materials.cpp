@@ -1,0 +1,181 @@
+// GpuScene: textures, materials, lights, environment.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <set>
+
+#include "engine/scene/gpu_scene.h"
+#include "shared/bindings.h"
+#include "shared/scene_data.h"
+
+namespace macula::scene {
+namespace {
+
+constexpr std::array<std::uint32_t, MATERIAL_TEXTURES> kTextureFlags{
+    MATERIAL_HAS_BASE_COLOR_TEXTURE, MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE,
+    MATERIAL_HAS_NORMAL_TEXTURE, MATERIAL_HAS_OCCLUSION_TEXTURE, MATERIAL_HAS_EMISSIVE_TEXTURE};
+
+std::array<const TextureRef*, MATERIAL_TEXTURES> texturesOf(const Material& m) {
+  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
+          &m.emissiveTexture};
+}
+
+bool isColor(std::size_t slot) { return slot == TEX_BASE_COLOR || slot == TEX_EMISSIVE; }
+
+gl::Texture upload(const Image& image, bool srgb) {
+  const auto side = static_cast<unsigned>(std::max(image.width, image.height));
+  gl::Texture texture(image.name.empty() ? "image" : image.name,
+                      srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height,
+                      static_cast<int>(std::bit_width(side)));
+  glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      image.rgba.data());
+  glGenerateTextureMipmap(texture.id());
+  return texture;
+}
+
+GLint wrapMode(Sampler::Wrap wrap) {
+  switch (wrap) {
+    case Sampler::Wrap::Repeat:
+      return GL_REPEAT;
+    case Sampler::Wrap::MirroredRepeat:
+      return GL_MIRRORED_REPEAT;
+    case Sampler::Wrap::ClampToEdge:
+      return GL_CLAMP_TO_EDGE;
+  }
+  return GL_REPEAT;
+}
+
+gl::SamplerId makeSampler(const Sampler& s) {
+  GLuint id = 0;
+  glCreateSamplers(1, &id);
+  const GLint flat = s.nearest ? GL_NEAREST : GL_LINEAR;
+  const GLint mipped = s.nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrapMode(s.wrapS));
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrapMode(s.wrapT));
+  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, flat);
+  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, s.mipmaps ? mipped : flat);
+  return gl::SamplerId(id);
+}
+
+/// Transmitted light's tint of a thin wall: base colour times Beer's law over the thickness.
+glm::vec3 tintOf(const Material& m) {
+  glm::vec3 tint(m.baseColor);
+  if (m.attenuationDistance > 0.0F && m.thickness > 0.0F) {
+    const float path = m.thickness / m.attenuationDistance;
+    tint *= glm::vec3(std::pow(m.attenuationColor.r, path), std::pow(m.attenuationColor.g, path),
+                      std::pow(m.attenuationColor.b, path));
+  }
+  return tint;
+}
+
+shader::MaterialData dataOf(const Material& m) {
+  shader::MaterialData d{};
+  d.baseColor = m.baseColor;
+  d.emissive = glm::vec4(m.emissive, m.normalScale);
+  d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
+  d.transmission = glm::vec4(tintOf(m), m.transmission);
+  d.flags.x = (m.unlit ? MATERIAL_UNLIT : 0U) |
+              (m.alphaMode == AlphaMode::Mask ? MATERIAL_MASK : 0U) |
+              (m.doubleSided ? MATERIAL_DOUBLE_SIDED : 0U) |
+              (m.isTransparent() ? MATERIAL_TRANSPARENT : 0U);
+  const auto textures = texturesOf(m);
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    if (textures[i]->image != kNone) d.flags.x |= kTextureFlags[i];
+    if (textures[i]->uvSet == 1) d.flags.y |= 1U << i;
+  }
+  return d;
+}
+
+shader::LightData dataOf(const Light& light) {
+  shader::LightData d{};
+  const auto type = static_cast<float>(light.type);
+  d.position = glm::vec4(light.position, type);
+  d.direction = glm::vec4(light.direction, light.range);
+  d.color = glm::vec4(light.color * light.intensity, light.castsShadow ? 1.0F : 0.0F);
+  // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 keeps equal angles from dividing by 0.
+  const float cosOuter = std::cos(light.outerConeAngle);
+  d.cone.x = 1.0F / std::max(0.001F, std::cos(light.innerConeAngle) - cosOuter);
+  d.cone.y = -cosOuter * d.cone.x;
+  return d;
+}
+
+/// An orthographic view from the light around the whole scene, clip z 0..1.
+glm::mat4 shadowViewProjectionOf(const Light& light, const Bounds& bounds) {
+  const float radius = std::max(bounds.radius(), 1e-4F);
+  const glm::vec3 center = bounds.center();
+  const glm::vec3 up =
+      std::abs(light.direction.y) > 0.99F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0, 1, 0);
+  const glm::mat4 view = glm::lookAt(center - light.direction * radius, center, up);
+  return glm::orthoRH_ZO(-radius, radius, -radius, radius, 0.0F, 2.0F * radius) * view;
+}
+
+}  // namespace
+
+void GpuScene::uploadTextures(const Scene& scene) {
+  constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
+  white_ = gl::Texture("white", GL_RGBA8, 1, 1);
+  glTextureSubImage2D(white_.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, kWhite.data());
+  // One image may serve as colour in one material and as data in another.
+  std::map<std::pair<std::int32_t, bool>, GLuint> uploaded;
+  materialTextures_.assign(scene.materials.size() + 1, {});
+  for (MaterialTextures& set : materialTextures_) set.textures.fill(white_.id());
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const auto textures = texturesOf(scene.materials[m]);
+    for (std::size_t slot = 0; slot < textures.size(); ++slot) {
+      const TextureRef& ref = *textures[slot];
+      if (ref.image == kNone) continue;
+      GLuint& id = uploaded[{ref.image, isColor(slot)}];
+      if (id == 0) {
+        images_.push_back(
+            upload(scene.images[static_cast<std::size_t>(ref.image)], isColor(slot)));
+        id = images_.back().id();
+      }
+      samplers_.push_back(makeSampler(ref.sampler));
+      materialTextures_[m + 1].textures[slot] = id;
+      materialTextures_[m + 1].samplers[slot] = samplers_.back().id();
+    }
+  }
+}
+
+void GpuScene::uploadMaterials(const Scene& scene) {
+  std::vector<shader::MaterialData> data{dataOf(Material{})};
+  for (const Material& material : scene.materials) data.push_back(dataOf(material));
+  materials_ = gl::Buffer::of<shader::MaterialData>("materials", data);
+}
+
+void GpuScene::uploadLights(const Scene& scene, const Environment* environment) {
+  shader::LightBlock block{};
+  const std::size_t count = std::min<std::size_t>(scene.lights.size(), MAX_LIGHTS);
+  block.ambient = glm::vec4(scene.ambient, static_cast<float>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Light& light = scene.lights[i];
+    block.lights[i] = dataOf(light);
+    if (!light.castsShadow) continue;
+    shadowViewProjection_ = shadowViewProjectionOf(light, bounds_);
+    const glm::mat4 toTexture = glm::scale(glm::translate(glm::mat4(1.0F), {0.5F, 0.5F, 0.0F}),
+                                           glm::vec3(0.5F, 0.5F, 1.0F));
+    block.shadowMatrix = toTexture * shadowViewProjection_;
+    block.shadow.x = 2.0F * bounds_.radius();  // world width of the map; the shader knows its size
+  }
+  if (environment != nullptr) {
+    const Panorama& base = environment->levels.front();
+    const auto levels = static_cast<int>(environment->levels.size());
+    environment_ = gl::Texture("environment", GL_RGBA16F, base.width, base.height, levels);
+    glTextureParameteri(environment_.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    for (int i = 0; i < levels; ++i) {
+      const Panorama& level = environment->levels[static_cast<std::size_t>(i)];
+      glTextureSubImage2D(environment_.id(), i, 0, 0, level.width, level.height, GL_RGB, GL_FLOAT,
+                          level.pixels.data());
+    }
+    block.environment = glm::vec4(static_cast<float>(levels), 1.0F, 0.0F, 0.0F);
+    for (std::size_t i = 0; i < environment->irradiance.size(); ++i) {
+      block.irradiance[i] = glm::vec4(environment->irradiance[i], 0.0F);
+    }
+  }
+  lights_ = gl::Buffer("lights", sizeof(block), &block);
+}
+
+}  // namespace macula::scene

@@ -1,0 +1,106 @@
+// A scene in GPU memory: vertices, instances, materials, textures, lights, draw lists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "engine/gl/objects.h"
+#include "engine/scene/environment.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/scene_facts.h"
+
+namespace macula::scene {
+
+enum class CullMode : std::uint8_t { Back, BackMirrored, None };
+
+/// Consecutive commands that one multi-draw can take.
+struct DrawRun {
+  std::uint32_t first = 0;  ///< index of the first command
+  std::uint32_t count = 0;
+  CullMode cull = CullMode::Back;
+  bool lit = false;
+  bool mask = false;
+  std::int32_t texturedMaterial = kNone;  ///< kNone: no textures, materials may differ
+};
+
+/// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
+struct DrawList {
+  std::vector<DrawRun> runs;         ///< by cull mode, shading and material
+  std::vector<DrawRun> depthRuns;    ///< merged: only the cull mode and MASK materials split them
+  gl::Buffer commands;
+  std::uint64_t triangles = 0;
+  [[nodiscard]] bool empty() const { return runs.empty(); }
+};
+
+/// How draws are ordered; a test reverses them to prove that order changes nothing.
+struct DrawOrder {
+  bool reversed = false;  ///< draws and the triangles in them from the last to the first
+};
+
+class GpuScene {
+ public:
+  /// Uploads. @param environment may be nullptr
+  GpuScene(const Scene& scene, const Environment* environment, DrawOrder order = {});
+
+  [[nodiscard]] const SceneFacts& facts() const { return facts_; }
+  [[nodiscard]] const DrawList& opaque() const { return opaque_; }
+  [[nodiscard]] const DrawList& transparent() const { return transparent_; }
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  /// World to shadow-map clip space of the shadow-casting light; identity where there is none.
+  [[nodiscard]] const glm::mat4& shadowViewProjection() const { return shadowViewProjection_; }
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+  /// Binds vertices, instances and materials for drawing.
+  void bindGeometry() const;
+  /// Binds the lights' block and the environment texture.
+  void bindLights() const;
+  /// Binds the five textures of a material, white where it has none.
+  void bindMaterialTextures(std::int32_t material) const;
+  /// Draws one run of a list, with its culling; programs and textures are the caller's.
+  void draw(const DrawList& list, const DrawRun& run) const;
+
+ private:
+  void uploadGeometry(const Scene& scene, DrawOrder order);
+  void uploadTextures(const Scene& scene);
+  void uploadMaterials(const Scene& scene);
+  void uploadLights(const Scene& scene, const Environment* environment);
+  void buildDrawLists(const Scene& scene, DrawOrder order);
+
+  struct MaterialTextures {
+    std::array<GLuint, 5> textures{};
+    std::array<GLuint, 5> samplers{};
+  };
+
+  SceneFacts facts_;
+  Bounds bounds_;
+  glm::mat4 shadowViewProjection_{1.0F};
+  gl::VertexArrayId vertexArray_;
+  gl::Buffer positions_;
+  gl::Buffer attributes_;
+  gl::Buffer indices_;
+  gl::Buffer instanceNumbers_;
+  gl::Buffer instances_;
+  gl::Buffer materials_;
+  gl::Buffer lights_;
+  std::vector<gl::Texture> images_;
+  std::vector<gl::SamplerId> samplers_;
+  gl::Texture white_;
+  gl::Texture environment_;
+  std::vector<MaterialTextures> materialTextures_;
+  DrawList opaque_;
+  DrawList transparent_;
+  std::uint64_t bytes_ = 0;
+
+  /// Where a primitive's vertices and indices begin.
+  struct Placement {
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+    std::int32_t baseVertex = 0;
+  };
+  std::vector<Placement> placements_;
+};
+
+}  // namespace macula::scene

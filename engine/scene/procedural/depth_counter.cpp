@@ -1,0 +1,97 @@
+#include "engine/scene/procedural/depth_counter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace macula::scene {
+namespace {
+
+constexpr std::int64_t kSubPixels = 256;
+// Corners farther out than this many frame widths are moved there, so that products of two
+// coordinates stay within 64 bits.
+constexpr float kFarthestCorner = 64.0F;
+
+std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+}  // namespace
+
+DepthCounter::DepthCounter(const Camera& camera, float tanHalfFov, int size)
+    : position_(camera.position),
+      forward_(glm::normalize(camera.target - camera.position)),
+      nearPlane_(camera.nearPlane),
+      pixelsPerUnit_(0.5F * static_cast<float>(size) / tanHalfFov),
+      size_(size),
+      counts_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)) {
+  right_ = glm::normalize(glm::cross(forward_, camera.up));
+  up_ = glm::cross(right_, forward_);
+}
+
+bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, int limit) {
+  corners_.clear();
+  drawn_.clear();
+  const float half = 0.5F * static_cast<float>(size_);
+  const float farthest = kFarthestCorner * static_cast<float>(size_);
+  const auto snap = [&](float pixels) {
+    const float inside = std::clamp(pixels, -farthest, farthest);
+    return static_cast<std::int64_t>(std::floor(inside * static_cast<float>(kSubPixels) + 0.5F));
+  };
+  for (const glm::vec3& p : mesh.positions) {
+    const glm::vec3 v = glm::vec3(transform * glm::vec4(p, 1.0F)) - position_;
+    const float depth = glm::dot(v, forward_);
+    Corner corner;
+    if (depth > nearPlane_) {
+      corner.visible = true;
+      corner.x = snap(half + glm::dot(v, right_) / depth * pixelsPerUnit_);
+      corner.y = snap(half - glm::dot(v, up_) / depth * pixelsPerUnit_);
+    }
+    corners_.push_back(corner);
+  }
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) drawTriangle(mesh, i);
+  const bool fits = std::all_of(drawn_.begin(), drawn_.end(),
+                                [&](std::size_t pixel) { return counts_[pixel] <= limit; });
+  if (!fits) {
+    for (const std::size_t pixel : drawn_) --counts_[pixel];
+  }
+  return fits;
+}
+
+void DepthCounter::drawTriangle(const Primitive& mesh, std::size_t first) {
+  std::array<Corner, 3> c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = corners_[mesh.indices[first + i]];
+  if (!c[0].visible || !c[1].visible || !c[2].visible) return;
+  const std::int64_t area =
+      (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
+  if (area == 0) return;
+  if (area < 0) std::swap(c[1], c[2]);  // now clockwise on the screen, where y points down
+  const auto [minX, maxX] = std::minmax({c[0].x, c[1].x, c[2].x});
+  const auto [minY, maxY] = std::minmax({c[0].y, c[1].y, c[2].y});
+  const std::int64_t last = size_ - 1;
+  const std::int64_t x0 = std::max<std::int64_t>(floorDivide(minX, kSubPixels), 0);
+  const std::int64_t x1 = std::min<std::int64_t>(floorDivide(maxX, kSubPixels), last);
+  const std::int64_t y0 = std::max<std::int64_t>(floorDivide(minY, kSubPixels), 0);
+  const std::int64_t y1 = std::min<std::int64_t>(floorDivide(maxY, kSubPixels), last);
+  for (std::int64_t y = y0; y <= y1; ++y) {
+    for (std::int64_t x = x0; x <= x1; ++x) {
+      const std::int64_t px = x * kSubPixels + kSubPixels / 2;
+      const std::int64_t py = y * kSubPixels + kSubPixels / 2;
+      bool inside = true;
+      for (std::size_t e = 0; e < 3 && inside; ++e) {
+        const Corner& a = c[e];
+        const Corner& b = c[(e + 1) % 3];
+        const std::int64_t side = (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x);
+        const bool topLeft = (a.y == b.y && b.x > a.x) || b.y < a.y;
+        inside = side > 0 || (side == 0 && topLeft);
+      }
+      if (!inside) continue;
+      const auto pixel = static_cast<std::size_t>(y * size_ + x);
+      ++counts_[pixel];
+      drawn_.push_back(pixel);
+    }
+  }
+}
+
+}  // namespace macula::scene

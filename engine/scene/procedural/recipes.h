@@ -1,0 +1,46 @@
+// The procedural scenes, one function each. Equal seeds give equal scenes.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "engine/scene/scene.h"
+
+namespace macula::scene {
+
+/// The largest N of `layers-N`.
+inline constexpr int kMaxLayers = 4096;
+
+/// N unlit quads that fill the view, for checking compositing exactly. Layer i (1 = nearest) has
+/// alpha 1 / (N - i + 1), so that each weighs 1 / N in the result, and the colour
+/// layerColor(i, N). The quads stand in one primitive, in an order shuffled by the seed, parallel
+/// to the image plane, from 1 to 10 metres in equal steps, and fill frames from 1:4 to 4:1.
+/// Its camera named "still" keeps `--camera auto` in front of them.
+/// @param n 1 .. kMaxLayers
+[[nodiscard]] Scene makeLayers(int n, std::uint64_t seed);
+
+/// Linear RGB of layer i (1 .. n) of makeLayers:
+/// (37 i mod 101) / 100, (53 i mod 103) / 102, (71 i mod 107) / 106.
+[[nodiscard]] glm::vec3 layerColor(int i, int n);
+
+/// Alpha of layer i (1 .. n): 1 / (n - i + 1).
+[[nodiscard]] float layerAlpha(int i, int n);
+
+/// The exact image of makeLayers(n, any seed) over any background: the mean of all layer colours,
+/// because sum over i of a_i c_i prod_{j<i} (1 - a_j) has the weights 1 / n and the last layer is
+/// opaque. Linear RGB.
+[[nodiscard]] glm::vec3 layersComposite(int n);
+
+/// A plume of unlit smoke over a brazier on an opaque floor. From its camera at 1024 x 1024 at most
+/// 16 puffs lie behind one another.
+[[nodiscard]] Scene makeSmoke(std::uint64_t seed);
+
+/// Rows of lit glass bottles on a table under a sun that casts shadows, two lamps and a spot. From
+/// its camera at 1024 x 1024 at most 22 glass surfaces lie behind one another.
+[[nodiscard]] Scene makeBottles(std::uint64_t seed);
+
+/// A furnished hall of several hundred thousand triangles to walk in, with glass, smoke and
+/// plants: the default scene.
+[[nodiscard]] Scene makeGallery(std::uint64_t seed);
+
+}  // namespace macula::scene

@@ -1,0 +1,93 @@
+// One setting: a field of the program with its name, unit, range, help and default.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/settings/value.h"
+
+namespace macula::settings {
+
+/// The words of a setting, written where it is registered.
+struct Description {
+  std::string key = {};    ///< dotted, unique: "oit.kAve"
+  std::string alias = {};  ///< short name, unique, may be empty: "k-ave"
+  std::string unit = {};   ///< "fragments/pixel"; empty for pure numbers
+  std::string help = {};   ///< one line
+  std::string group = {};  ///< heading of panel and help; empty: the part of the key before its dot
+};
+
+/// Ties a setting to the field it sets. Made by the bindField() functions.
+struct Binding {
+  Type type = Type::Text;
+  std::function<Value()> get;
+  std::function<void(const Value&)> set;  ///< takes the alternative that belongs to `type`
+  Range limits = {};                      ///< what the field's own type can hold
+  bool singlePrecision = false;           ///< a Real whose field is a float
+};
+
+[[nodiscard]] Binding bindField(bool& field);
+[[nodiscard]] Binding bindField(int& field);
+[[nodiscard]] Binding bindField(std::uint32_t& field);
+[[nodiscard]] Binding bindField(std::int64_t& field);
+[[nodiscard]] Binding bindField(std::uint64_t& field);
+[[nodiscard]] Binding bindField(float& field);
+[[nodiscard]] Binding bindField(double& field);
+[[nodiscard]] Binding bindField(std::string& field);
+[[nodiscard]] Binding bindField(std::filesystem::path& field);
+[[nodiscard]] Binding bindField(glm::vec3& field);
+[[nodiscard]] Binding bindField(std::array<float, 3>& field);
+
+/// A registered setting. Panels and help read it; every way of setting it goes through set() or
+/// setText(), which check the value first and leave the field alone where it is refused.
+class Entry {
+ public:
+  /// @throws std::logic_error where the field's present value, the default, is out of range.
+  Entry(Description description, Binding binding, Range range, std::vector<std::string> choices);
+
+  [[nodiscard]] const std::string& key() const { return description_.key; }
+  [[nodiscard]] const std::string& alias() const { return description_.alias; }
+  [[nodiscard]] const std::string& unit() const { return description_.unit; }
+  [[nodiscard]] const std::string& help() const { return description_.help; }
+  [[nodiscard]] const std::string& group() const { return description_.group; }
+  [[nodiscard]] Type type() const { return binding_.type; }
+  /// For Int, Real and Colour: bounds after the field's own limits; may be infinite.
+  [[nodiscard]] const Range& range() const { return range_; }
+  /// For Choice, and for an Int that takes only some numbers; else empty.
+  [[nodiscard]] const std::vector<std::string>& choices() const { return choices_; }
+  [[nodiscard]] const Value& defaultValue() const { return default_; }
+  /// The option as a user types it: "--k-ave" if there is an alias, else "--oit.kAve".
+  [[nodiscard]] std::string option() const;
+  /// What it takes, without the unit: "a number > 0 and <= 4096", "one of blend, ab-sbuffer".
+  [[nodiscard]] std::string allowed() const;
+
+  [[nodiscard]] Value get() const { return binding_.get(); }
+  [[nodiscard]] bool isDefault() const { return get() == default_; }
+  void reset() { binding_.set(default_); }
+
+  /// Checks and sets. A whole number is taken for a Real; otherwise the alternative must be right.
+  /// @param where begins the message: an option, a key, or a file and line
+  /// @throws InputError naming the setting, the value and what is allowed.
+  void set(const Value& value, std::string_view where);
+  void set(const Value& value) { set(value, key()); }
+  /// The same from text as typed on a command line.
+  void setText(std::string_view text, std::string_view where);
+
+ private:
+  /// The value as the field would hold it, or the reason why it cannot ("is out of range").
+  [[nodiscard]] std::variant<Value, std::string> checked(const Value& value) const;
+  [[noreturn]] void refuse(std::string_view where, std::string_view shown,
+                           std::string_view reason) const;
+
+  Description description_;
+  Binding binding_;
+  Range range_;
+  std::vector<std::string> choices_;
+  Value default_;
+};
+
+}  // namespace macula::settings

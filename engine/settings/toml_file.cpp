@@ -1,0 +1,188 @@
+#define TOML_IMPLEMENTATION  // toml++ is compiled in this file alone
+
+#include "engine/settings/toml_file.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+
+namespace macula::settings {
+namespace {
+
+/// A file of settings or an experiment is a few kilobytes; this stops a wrong file early.
+constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
+
+/// Tables are freed recursively, one stack frame a level, and a.a.a.a... makes a level per part.
+/// With the parser's own limit of 256 nested values this bounds the depth to some thousands.
+constexpr int kMaxKeyParts = 32;
+
+/// Walks over text outside strings and comments, as far as that is needed to count key parts.
+class KeyScanner {
+ public:
+  KeyScanner(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+
+  void refuseLongKeys() {
+    int parts = 1;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      switch (c) {
+        case '"':
+        case '\'':
+          skipString(c);
+          continue;
+        case '#':
+          at_ = std::min(text_.find('\n', at_), text_.size());
+          continue;
+        case '.':
+          if (++parts > kMaxKeyParts) {
+            failInput("{}:{}: a key of more than {} parts; shorten it", name_, line_, kMaxKeyParts);
+          }
+          break;
+        case '\n':
+          ++line_;
+          [[fallthrough]];
+        case '=':
+        case ',':
+        case '[':
+        case ']':
+        case '{':
+        case '}':
+          parts = 1;
+          break;
+        default:
+          break;
+      }
+      ++at_;
+    }
+  }
+
+ private:
+  void skipString(char quote) {
+    const std::string fence(3, quote);
+    const bool multiLine = text_.substr(at_, 3) == fence;
+    at_ += multiLine ? 3 : 1;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '\n') {
+        if (!multiLine) return;  // unterminated: the parser will say so
+        ++line_;
+      }
+      if (c == '\\' && quote == '"' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') {
+        at_ += 2;
+      } else if (multiLine ? text_.substr(at_, 3) == fence : c == quote) {
+        at_ += multiLine ? 3 : 1;
+        return;
+      } else {
+        ++at_;
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::string_view name_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+/// Applies one table and remembers which settings it has set.
+class Applier {
+ public:
+  Applier(Registry& registry, std::string_view name) : registry_(registry), name_(name) {}
+
+  void apply(const toml::table& table, const std::string& prefix) {
+    for (const auto& [tomlKey, node] : table) {
+      const std::string key = prefix.empty() ? std::string(tomlKey.str())
+                                             : prefix + "." + std::string(tomlKey.str());
+      if (const toml::table* inner = node.as_table()) {
+        apply(*inner, key);
+      } else {
+        set(key, node, tomlKey.source().begin.line);
+      }
+    }
+  }
+
+ private:
+  void set(const std::string& key, const toml::node& node, toml::source_index line) {
+    const std::string place = fmt::format("{}:{}", name_, line);
+    Entry& entry = registry_.at(key, place);
+    if (!seen_.insert(&entry).second) {
+      failInput("{}: {} is set twice in this file, by its key and by its alias; keep one", place,
+                entry.key());
+    }
+    const std::string where = place + ": " + key;
+    if (const auto value = convert(node, entry, where)) {
+      entry.set(*value, where);
+    } else {
+      failInput("{}: is a TOML {}; {} takes {}", where, kind(node), entry.key(), entry.allowed());
+    }
+  }
+
+  /// The node as a value, or nothing where TOML's type is one that no setting has.
+  static std::optional<Value> convert(const toml::node& node, Entry& entry,
+                                      const std::string& where) {
+    if (const auto flag = node.value_exact<bool>()) return *flag;
+    if (const auto number = node.value_exact<std::int64_t>()) return *number;
+    if (const auto number = node.value_exact<double>()) return *number;
+    if (const auto text = node.value_exact<std::string>()) {
+      if (entry.type() != Type::Colour) return *text;
+      entry.setText(*text, where);
+      return entry.get();
+    }
+    const toml::array* list = node.as_array();
+    if (list == nullptr || entry.type() != Type::Colour || list->size() != 3) return std::nullopt;
+    glm::vec3 colour{0.0F};
+    for (int i = 0; i < 3; ++i) {
+      const auto number = list->get(static_cast<std::size_t>(i))->value<double>();
+      // A number too large for a float would be undefined to convert; as infinity it is refused.
+      if (!number) return std::nullopt;
+      const bool fits = std::abs(*number) <= std::numeric_limits<float>::max();
+      colour[i] = fits ? static_cast<float>(*number) : std::numeric_limits<float>::infinity();
+    }
+    return colour;
+  }
+
+  static std::string_view kind(const toml::node& node) {
+    if (node.is_array()) return "array";
+    if (node.is_date() || node.is_time() || node.is_date_time()) return "date or time";
+    return "value of another type";
+  }
+
+  Registry& registry_;
+  std::string_view name_;
+  std::set<const Entry*> seen_;
+};
+
+}  // namespace
+
+toml::table parseToml(std::string_view text, std::string_view name) {
+  if (text.size() > kMaxTomlBytes) {
+    failInput("{}: {} bytes are more than the {} that a TOML file may have; check the path", name,
+              text.size(), kMaxTomlBytes);
+  }
+  KeyScanner(text, name).refuseLongKeys();
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    const auto& at = error.source().begin;
+    failInput("{}:{}:{}: {}", name, at.line, at.column, error.description());
+  }
+}
+
+void applyTable(Registry& registry, const toml::table& table, std::string_view name) {
+  Applier(registry, name).apply(table, "");
+}
+
+void applyTomlText(Registry& registry, std::string_view text, std::string_view name) {
+  applyTable(registry, parseToml(text, name), name);
+}
+
+void applyTomlFile(Registry& registry, const std::filesystem::path& path) {
+  applyTomlText(registry, readTextFile(path), path.string());
+}
+
+}  // namespace macula::settings

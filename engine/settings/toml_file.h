@@ -1,0 +1,29 @@
+// Settings from TOML 1.0 (toml++).
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <toml++/toml.h>
+
+#include "engine/settings/registry.h"
+
+namespace macula::settings {
+
+/// Parses TOML text. @param name what to call the text in messages, usually its path
+/// @throws InputError "name:line:column: reason" for anything malformed, and for text that nests or
+/// weighs more than any settings file does (see kMaxKeyParts and kMaxTomlBytes in toml_file.cpp).
+[[nodiscard]] toml::table parseToml(std::string_view text, std::string_view name);
+
+/// Sets every value of a table, to any depth: `[oit] kAve = 4`, `oit.kAve = 4` and the alias
+/// `k-ave = 4` mean the same. Numbers, booleans and text must have their TOML type; a colour is
+/// "R,G,B" or [R, G, B]. A path is taken as written, not relative to the file.
+/// @throws InputError "name:line: ..." for an unknown setting, a refused value, or a setting that
+/// stands twice; what came before it in the table has then been set.
+void applyTable(Registry& registry, const toml::table& table, std::string_view name);
+
+/// parseToml() and applyTable().
+void applyTomlText(Registry& registry, std::string_view text, std::string_view name);
+/// The same for a file.
+void applyTomlFile(Registry& registry, const std::filesystem::path& path);
+
+}  // namespace macula::settings

@@ -1,0 +1,112 @@
+// Light that leaves a surface point towards the eye. The one set of functions for opaque and
+// transparent surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound.
+#include "lib/brdf.glsl"
+#include "lib/surface.glsl"
+#include "shared/bindings.h"
+#include "shared/scene_data.h"
+
+layout(std140, binding = UBO_LIGHTS) uniform LightUniforms { LightBlock lights; };
+#ifdef SHADOWS
+layout(binding = TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
+#endif
+#ifdef ENVIRONMENT
+layout(binding = TEX_ENVIRONMENT) uniform sampler2D environmentMap;
+#endif
+
+#ifdef SHADOWS
+/// Percentage-closer filtering (Reeves et al. 1987) over 3x3 bilinear comparisons.
+float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
+  float texel = 1.0 / float(textureSize(shadowMap, 0).x);
+  // Moving the receiver along its normal by some texels of the map hides self-shadowing; more at
+  // grazing light, where one texel covers more of the surface.
+  float grazing = sqrt(max(0.0, 1.0 - dot(normal, toLight) * dot(normal, toLight)));
+  vec3 p = position + normal * (lights.shadow.x * texel * (0.75 + 1.5 * grazing));
+  vec3 uvz = (lights.shadowMatrix * vec4(p, 1.0)).xyz;
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) sum += texture(shadowMap, uvz + vec3(vec2(x, y) * texel, 0.0));
+  }
+  return sum / 9.0;
+}
+#endif
+
+#ifdef ENVIRONMENT
+vec2 panoramaUv(vec3 d) {
+  return vec2(atan(d.x, -d.z) / (2.0 * kPi) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / kPi);
+}
+
+vec3 environmentRadiance(vec3 direction, float roughness) {
+  return textureLod(environmentMap, panoramaUv(direction), roughness * (lights.environment.x - 1.0)).rgb;
+}
+#endif
+
+/// Irradiance over pi from all directions: spherical harmonics or the constant ambient term.
+vec3 ambientRadiance(vec3 n) {
+#ifdef ENVIRONMENT
+  vec3 sum = lights.irradiance[0].rgb * 0.282095;
+  sum += lights.irradiance[1].rgb * (0.488603 * n.y);
+  sum += lights.irradiance[2].rgb * (0.488603 * n.z);
+  sum += lights.irradiance[3].rgb * (0.488603 * n.x);
+  sum += lights.irradiance[4].rgb * (1.092548 * n.x * n.y);
+  sum += lights.irradiance[5].rgb * (1.092548 * n.y * n.z);
+  sum += lights.irradiance[6].rgb * (0.315392 * (3.0 * n.z * n.z - 1.0));
+  sum += lights.irradiance[7].rgb * (1.092548 * n.x * n.z);
+  sum += lights.irradiance[8].rgb * (0.546274 * (n.x * n.x - n.y * n.y));
+  return max(sum, vec3(0.0));
+#else
+  return lights.ambient.rgb;
+#endif
+}
+
+/// What one surface point sends to the eye, specular apart so that transparency can weigh it.
+struct Radiance {
+  vec3 diffuse;
+  vec3 specular;
+};
+
+Radiance lightSurface(SurfacePoint s, vec3 eye) {
+  Reflection r = reflectionOf(s.baseColor, s.metallic, s.roughness);
+  vec3 v = normalize(eye - s.position);
+  float nDotV = max(dot(s.normal, v), 1e-4);  // normal maps can turn away from the eye
+  Radiance sum = Radiance(vec3(0.0), vec3(0.0));
+  int count = int(lights.ambient.w);
+  for (int i = 0; i < count; ++i) {
+    LightData light = lights.lights[i];
+    vec3 l = -light.direction.xyz;
+    float attenuation = 1.0;
+    uint type = uint(light.position.w);
+    if (type != LIGHT_DIRECTIONAL) {
+      vec3 d = light.position.xyz - s.position;
+      float d2 = max(dot(d, d), 1e-4);  // a light on the surface: 1 cm away at the least
+      l = d * inversesqrt(d2);
+      // KHR_lights_punctual, "Range Property".
+      float range = light.direction.w;
+      float q = d2 / max(range * range, 1e-8);
+      float window = range > 0.0 ? clamp(1.0 - q * q, 0.0, 1.0) : 1.0;
+      attenuation = window / d2;
+      if (type == LIGHT_SPOT) {
+        float a = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
+        attenuation *= a * a;
+      }
+    }
+    float nDotL = dot(s.normal, l);
+    if (nDotL <= 0.0 || attenuation <= 0.0) continue;
+#ifdef SHADOWS
+    if (light.color.w > 0.0) attenuation *= shadowFactor(s.position, s.normal, l);
+#endif
+    vec3 h = normalize(l + v);
+    vec3 f = fresnelSchlick(r.f0, max(dot(v, h), 0.0));
+    vec3 incoming = light.color.rgb * (attenuation * nDotL);
+    sum.diffuse += incoming * (1.0 - f) * r.diffuse / kPi;
+    sum.specular += incoming * f * specularGgx(r.alpha, max(dot(s.normal, h), 0.0), nDotL, nDotV);
+  }
+  vec3 reflected = environmentBrdf(r.f0, s.roughness, nDotV);
+#ifdef ENVIRONMENT
+  vec3 mirror = environmentRadiance(reflect(-v, s.normal), s.roughness);
+#else
+  vec3 mirror = lights.ambient.rgb;
+#endif
+  sum.diffuse += r.diffuse * (1.0 - reflected) * ambientRadiance(s.normal) * s.occlusion;
+  sum.specular += reflected * mirror * s.occlusion;
+  return sum;
+}

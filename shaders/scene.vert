@@ -1,0 +1,60 @@
+// The vertex stage of every pass that draws the scene. One invariant position serves them all, so
+// that a fragment has the same depth wherever it is drawn.
+// SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests.
+#include "lib/frame.glsl"
+#include "lib/scene.glsl"
+
+layout(location = ATTR_POSITION) in vec3 position;
+layout(location = ATTR_INSTANCE) in uint instanceNumber;
+#ifndef POSITION_ONLY
+layout(location = ATTR_UV0) in vec2 uv0;
+layout(location = ATTR_UV1) in vec2 uv1;
+layout(location = ATTR_COLOR) in vec4 color;
+#ifndef UV_ONLY
+layout(location = ATTR_NORMAL) in vec3 normal;
+layout(location = ATTR_TANGENT) in vec4 tangent;
+#endif
+#endif
+
+#ifdef SHADOW
+layout(location = 0) uniform mat4 shadowViewProjection;
+#endif
+
+invariant gl_Position;
+
+#ifndef POSITION_ONLY
+layout(location = 0) out vec4 outUv;  // xy: first set, zw: second
+layout(location = 1) out vec4 outColor;
+layout(location = 2) flat out uvec3 outIds;  // material, id of the first triangle, id step
+#ifndef UV_ONLY
+layout(location = 3) out vec3 outPosition;
+layout(location = 4) out vec3 outNormal;
+layout(location = 5) out vec4 outTangent;
+layout(location = 6) flat out float outMirror;
+#endif
+#endif
+
+void main() {
+  Instance instance = instances[instanceNumber];
+  vec4 local = vec4(position, 1.0);
+  vec3 world =
+      vec3(dot(instance.modelRow0, local), dot(instance.modelRow1, local), dot(instance.modelRow2, local));
+#ifdef SHADOW
+  gl_Position = shadowViewProjection * vec4(world, 1.0);
+#else
+  gl_Position = frame.viewProjection * vec4(world, 1.0);
+#endif
+#ifndef POSITION_ONLY
+  outUv = vec4(uv0, uv1);
+  outColor = color;
+  outIds = instance.ids.xyz;
+#ifndef UV_ONLY
+  outPosition = world;
+  outNormal = vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
+                   dot(instance.normalRow2.xyz, normal));
+  outTangent = vec4(dot(instance.modelRow0.xyz, tangent.xyz), dot(instance.modelRow1.xyz, tangent.xyz),
+                    dot(instance.modelRow2.xyz, tangent.xyz), tangent.w);
+  outMirror = instance.normalRow0.w;
+#endif
+#endif
+}

@@ -1,0 +1,48 @@
+// Binding numbers, once for C++ and GLSL.
+#ifndef MACULA_SHARED_BINDINGS_H
+#define MACULA_SHARED_BINDINGS_H
+
+// Uniform buffers
+#define UBO_FRAME 0
+#define UBO_LIGHTS 1
+
+// Shader storage buffers
+#define SSBO_INSTANCES 0
+#define SSBO_MATERIALS 1
+#define SSBO_FRAGMENT_KEYS 2
+#define SSBO_FRAGMENT_COLORS 3
+#define SSBO_OIT_TOTALS 4
+
+// Textures of a material (one draw run each)
+#define TEX_BASE_COLOR 0
+#define TEX_METALLIC_ROUGHNESS 1
+#define TEX_NORMAL 2
+#define TEX_OCCLUSION 3
+#define TEX_EMISSIVE 4
+#define MATERIAL_TEXTURES 5
+// Textures of the lighting
+#define TEX_SHADOW_MAP 5
+#define TEX_ENVIRONMENT 6
+// Inputs of a full-screen pass
+#define TEX_INPUT0 8
+#define TEX_INPUT1 9
+#define TEX_INPUT2 10
+#define TEX_INPUT3 11
+#define TEX_INPUT4 12
+
+// Images
+#define IMG_0 0
+#define IMG_1 1
+#define IMG_2 2
+#define IMG_3 3
+
+// Vertex attributes
+#define ATTR_POSITION 0
+#define ATTR_NORMAL 1
+#define ATTR_TANGENT 2
+#define ATTR_UV0 3
+#define ATTR_UV1 4
+#define ATTR_COLOR 5
+#define ATTR_INSTANCE 6
+
+#endif

@@ -1,0 +1,18 @@
+// Constants of one frame.
+#ifndef MACULA_SHARED_FRAME_CONSTANTS_H
+#define MACULA_SHARED_FRAME_CONSTANTS_H
+#include "shared/cpp_glsl.h"
+MACULA_SHARED_BEGIN
+
+struct FrameConstants {
+  mat4 viewProjection;
+  mat4 inverseViewProjection;
+  vec4 eye;         // xyz world position of the camera
+  vec4 size;        // samples: width, height, 1 / width, 1 / height
+  vec4 gaze;        // xy: point of interest in samples, from the bottom left
+  vec4 background;  // linear rgb
+  uvec4 frame;      // x: frame index, y: 1 where history is valid, z: seed
+};
+
+MACULA_SHARED_END
+#endif

@@ -1,0 +1,62 @@
+// Instances, materials and lights as the GPU reads them.
+#ifndef MACULA_SHARED_SCENE_DATA_H
+#define MACULA_SHARED_SCENE_DATA_H
+#include "shared/cpp_glsl.h"
+
+#define MATERIAL_UNLIT 1u
+#define MATERIAL_MASK 2u
+#define MATERIAL_DOUBLE_SIDED 4u
+#define MATERIAL_HAS_BASE_COLOR_TEXTURE 8u
+#define MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE 16u
+#define MATERIAL_HAS_NORMAL_TEXTURE 32u
+#define MATERIAL_HAS_OCCLUSION_TEXTURE 64u
+#define MATERIAL_HAS_EMISSIVE_TEXTURE 128u
+#define MATERIAL_TRANSPARENT 256u
+
+#define LIGHT_DIRECTIONAL 0u
+#define LIGHT_POINT 1u
+#define LIGHT_SPOT 2u
+
+// A bound on the cost of lighting, and on the size of its uniform buffer (3 KiB of 16 at least).
+#define MAX_LIGHTS 32
+// Spherical harmonics up to l = 2 (Ramamoorthi and Hanrahan 2001).
+#define SH_COEFFICIENTS 9
+
+MACULA_SHARED_BEGIN
+
+struct Instance {
+  vec4 modelRow0;  // rows of the 3x4 object-to-world matrix
+  vec4 modelRow1;
+  vec4 modelRow2;
+  vec4 normalRow0;  // rows of its inverse transpose; w: -1 where the transform mirrors, else 1
+  vec4 normalRow1;
+  vec4 normalRow2;
+  uvec4 ids;  // x: material, y: id of the first triangle, z: step of the id (1 or -1 as uint)
+};
+
+struct MaterialData {
+  vec4 baseColor;
+  vec4 emissive;      // rgb; w: normal scale
+  vec4 surface;       // metallic, roughness, occlusion strength, alpha cutoff
+  vec4 transmission;  // rgb: tint of transmitted light; w: transmission factor
+  uvec4 flags;        // x: MATERIAL_*; y: bit i set where texture i uses the second UV set
+};
+
+struct LightData {
+  vec4 position;   // xyz world; w: LIGHT_* as float
+  vec4 direction;  // xyz the way the light travels; w: range, 0 infinite
+  vec4 color;      // rgb times intensity; w: 1 where it casts the shadow
+  vec4 cone;       // spot: x scale, y offset of the angular attenuation
+};
+
+struct LightBlock {
+  vec4 ambient;                    // constant ambient radiance; w: count of lights
+  vec4 environment;                // x: mip levels, y: intensity
+  mat4 shadowMatrix;               // world to shadow map, 0..1 in x, y and z
+  vec4 shadow;                     // x: texel size, y: world-space normal offset, z: kernel radius
+  vec4 irradiance[SH_COEFFICIENTS];
+  LightData lights[MAX_LIGHTS];
+};
+
+MACULA_SHARED_END
+#endif
