@@ -12,7 +12,7 @@ void main() {
   MaterialData m = materials[inIds.x];
   SurfacePoint s = surfaceAt(m);
 #ifdef MASK
-  if (s.alpha < m.surface.w) discard;
+  if (s.alpha == 0.0) discard;
 #endif
   outNormalOct = encodeOctahedral(s.normal);
   outBaseColor = vec4(s.baseColor, s.metallic);

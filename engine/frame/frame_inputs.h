@@ -23,7 +23,6 @@ struct FrameInputs {
   glm::vec2 gaze{0.5F};       ///< point of interest, 0..1 of the window from the top left
   std::uint32_t frameIndex = 0;
   bool historyValid = false;  ///< the last frame was drawn, at this size, without a camera cut
-  bool wantsLinear = false;   ///< LinearColor will be read back
 };
 
 }  // namespace macula::frame

@@ -41,19 +41,26 @@ std::vector<PassReport> FrameList::report(const FrameInputs& inputs) const {
 }
 
 std::vector<Resource> FrameList::neededResources(const FrameInputs& inputs) const {
-  std::vector<Resource> needed = results_;
+  std::vector<Resource> needed;
   for (const Entry& entry : entries_) {
     if (!entry.pass->hasWork(inputs)) continue;
-    for (const Touch& touch : touchesOf(*entry.pass)) needed.push_back(touch.resource);
+    for (const Touch& touch : touchesOf(*entry.pass)) {
+      // What is only read and has no clear value stays unbound: nothing in it would be looked at.
+      const bool writes = touch.access != Access::Read && touch.access != Access::ReadHistory;
+      if (writes || infoOf(touch.resource).clear != ClearKind::Never) {
+        needed.push_back(touch.resource);
+      }
+    }
   }
   return needed;
 }
 
 void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
-                        std::int64_t maxStorageBlockBytes) {
+                        gl::ProgramCache& programs, std::int64_t maxStorageBlockBytes) {
   for (Entry& entry : entries_) {
     entry.touches = touchesOf(*entry.pass);
     entry.runs = entry.pass->hasWork(inputs);
+    if (entry.runs) entry.pass->prepare(inputs, programs);
   }
   resources.allocate(neededResources(inputs), inputs.outputSize, inputs.displaySize,
                      maxStorageBlockBytes);

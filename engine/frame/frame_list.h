@@ -45,7 +45,7 @@ class FrameList {
 
   /// Looks again at declarations and work: after a change of scene, settings or size. The only
   /// place where the frame allocates.
-  void prepare(const FrameInputs& inputs, FrameResources& resources,
+  void prepare(const FrameInputs& inputs, FrameResources& resources, gl::ProgramCache& programs,
                std::int64_t maxStorageBlockBytes);
   /// Runs the passes that have work. Allocates nothing after the first frame.
   void run(PassContext& context, gl::FrameTimer& timer);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/frame/resource.h"
+#include "engine/gl/program.h"
 
 namespace macula::frame {
 
@@ -50,8 +51,8 @@ class PassDeclaration {
   std::vector<Touch> touches_;
 };
 
-/// One step of a frame. Constructed without a GL context; execute() is the only function that
-/// may call GL. A pass holds references to its settings and never names another pass.
+/// One step of a frame. Constructed without a GL context; only prepare() and execute() may call GL.
+/// A pass holds references to its settings and never names another pass.
 class Pass {
  public:
   virtual ~Pass() = default;
@@ -62,6 +63,10 @@ class Pass {
   [[nodiscard]] virtual bool hasWork(const FrameInputs& inputs) const = 0;
   /// One clause that says why it has work or has none, for `macula scene info`.
   [[nodiscard]] virtual std::string reason(const FrameInputs& inputs) const = 0;
+  /// Makes what execute() will use, programs above all. Called after a change of scene, settings or
+  /// size for the passes that have work; the first function that may call GL.
+  virtual void prepare(const FrameInputs& inputs, gl::ProgramCache& programs) = 0;
+  /// The work of one frame. Allocates nothing.
   virtual void execute(PassContext& context) = 0;
 };
 

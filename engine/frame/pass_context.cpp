@@ -2,10 +2,8 @@
 
 namespace macula::frame {
 
-void PassContext::use(const gl::ProgramKey& key) const { glUseProgram(programs_.get(key)); }
-
 void PassContext::bindTexture(GLuint unit, Resource r) const {
-  glBindTextureUnit(unit, resources_.texture(r).id());
+  glBindTextureUnit(unit, resources_.has(r) ? resources_.texture(r).id() : 0);
 }
 
 void PassContext::bindImage(GLuint unit, Resource r, GLenum access) const {

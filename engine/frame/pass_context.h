@@ -1,4 +1,4 @@
-// What a pass may do while it runs: bind its resources, get its programs, draw, dispatch.
+// What a pass may do while it runs: bind its resources, dispatch.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,21 +7,18 @@
 #include "engine/frame/frame_inputs.h"
 #include "engine/frame/frame_resources.h"
 #include "engine/frame/resource.h"
-#include "engine/gl/program.h"
 
 namespace macula::frame {
 
 class PassContext {
  public:
-  PassContext(const FrameInputs& inputs, FrameResources& resources, gl::ProgramCache& programs)
-      : inputs_(inputs), resources_(resources), programs_(programs) {}
+  PassContext(const FrameInputs& inputs, FrameResources& resources)
+      : inputs_(inputs), resources_(resources) {}
 
   [[nodiscard]] const FrameInputs& inputs() const { return inputs_; }
   [[nodiscard]] FrameResources& resources() const { return resources_; }
-  [[nodiscard]] gl::ProgramCache& programs() const { return programs_; }
 
-  void use(const gl::ProgramKey& key) const;
-  /// glBindTextureUnit.
+  /// glBindTextureUnit; no texture where no pass of this frame writes the resource.
   void bindTexture(GLuint unit, Resource r) const;
   /// glBindImageTexture of level 0. @param access GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE
   void bindImage(GLuint unit, Resource r, GLenum access) const;
@@ -34,7 +31,6 @@ class PassContext {
  private:
   const FrameInputs& inputs_;
   FrameResources& resources_;
-  gl::ProgramCache& programs_;
 };
 
 }  // namespace macula::frame

@@ -17,7 +17,25 @@ layout(binding = TEX_NORMAL) uniform sampler2D normalTexture;
 layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionTexture;
 layout(binding = TEX_EMISSIVE) uniform sampler2D emissiveTexture;
 
-vec2 uvOf(MaterialData m, uint slot) { return (m.flags.y & (1u << slot)) != 0u ? inUv.zw : inUv.xy; }
+bool usesSecondUv(MaterialData m, uint slot) { return (m.flags.y & (1u << slot)) != 0u; }
+
+#ifdef EXPLICIT_GRADIENTS
+// A pass that leaves early calls prepareGradients() first: after the first return the neighbours'
+// coordinates, and with them implicit gradients, are undefined (GLSL 4.50, section 8.13.1).
+vec4 uvDx, uvDy;
+void prepareGradients() {
+  uvDx = dFdx(inUv);
+  uvDy = dFdy(inUv);
+}
+vec4 sampleSlot(sampler2D map, MaterialData m, uint slot) {
+  return usesSecondUv(m, slot) ? textureGrad(map, inUv.zw, uvDx.zw, uvDy.zw)
+                               : textureGrad(map, inUv.xy, uvDx.xy, uvDy.xy);
+}
+#else
+vec4 sampleSlot(sampler2D map, MaterialData m, uint slot) {
+  return texture(map, usesSecondUv(m, slot) ? inUv.zw : inUv.xy);
+}
+#endif
 #endif
 
 /// Id of the triangle that does not depend on the order of draws.
@@ -27,10 +45,23 @@ vec4 baseColorAt(MaterialData m) {
   vec4 color = m.baseColor * inColor;
 #ifdef TEXTURED
   if ((m.flags.x & MATERIAL_HAS_BASE_COLOR_TEXTURE) != 0u) {
-    color *= texture(baseColorTexture, uvOf(m, TEX_BASE_COLOR));
+    color *= sampleSlot(baseColorTexture, m, TEX_BASE_COLOR);
   }
 #endif
   return color;
+}
+
+/// glTF 2.0, section 3.9.4: OPAQUE ignores alpha, MASK cuts it.
+float alphaOf(MaterialData m, float alpha) {
+  if ((m.flags.x & MATERIAL_BLEND) != 0u) return alpha;
+  return (m.flags.x & MATERIAL_MASK) != 0u ? step(m.surface.w, alpha) : 1.0;
+}
+
+/// 1 where the front of the surface is seen, else -1. Single-sided runs show front faces only; for
+/// the others a mirroring transform swaps the sides.
+float facing(MaterialData m) {
+  bool front = (m.flags.x & MATERIAL_DOUBLE_SIDED) == 0u || gl_FrontFacing == (inMirror > 0.0);
+  return front ? 1.0 : -1.0;
 }
 
 vec3 normalAt(MaterialData m) {
@@ -40,23 +71,19 @@ vec3 normalAt(MaterialData m) {
   if ((m.flags.x & MATERIAL_HAS_NORMAL_TEXTURE) != 0u && dot(inTangent.xyz, inTangent.xyz) > 0.0) {
     vec3 t = normalize(inTangent.xyz - n * dot(n, inTangent.xyz));
     vec3 b = cross(n, t) * inTangent.w * inMirror;
-    vec3 s = texture(normalTexture, uvOf(m, TEX_NORMAL)).xyz * 2.0 - 1.0;
+    vec3 s = sampleSlot(normalTexture, m, TEX_NORMAL).xyz * 2.0 - 1.0;
     s.xy *= m.emissive.w;
     n = normalize(t * s.x + b * s.y + n * s.z);
   }
 #endif
-  bool front = gl_FrontFacing == (inMirror > 0.0);
-#ifdef FLIPS_FRONT_FACE
-  front = gl_FrontFacing;  // the run's front face is already mirrored
-#endif
-  return front ? n : -n;
+  return n * facing(m);
 }
 
 SurfacePoint surfaceAt(MaterialData m) {
   SurfacePoint s;
   vec4 color = baseColorAt(m);
   s.baseColor = color.rgb;
-  s.alpha = color.a;
+  s.alpha = alphaOf(m, color.a);
   s.position = inPosition;
   s.normal = normalAt(m);
   s.metallic = m.surface.x;
@@ -66,16 +93,16 @@ SurfacePoint surfaceAt(MaterialData m) {
   s.unlit = (m.flags.x & MATERIAL_UNLIT) != 0u;
 #ifdef TEXTURED
   if ((m.flags.x & MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE) != 0u) {
-    vec2 gb = texture(metallicRoughnessTexture, uvOf(m, TEX_METALLIC_ROUGHNESS)).gb;
+    vec2 gb = sampleSlot(metallicRoughnessTexture, m, TEX_METALLIC_ROUGHNESS).gb;
     s.roughness *= gb.x;
     s.metallic *= gb.y;
   }
   if ((m.flags.x & MATERIAL_HAS_OCCLUSION_TEXTURE) != 0u) {
-    float o = texture(occlusionTexture, uvOf(m, TEX_OCCLUSION)).r;
+    float o = sampleSlot(occlusionTexture, m, TEX_OCCLUSION).r;
     s.occlusion = 1.0 + m.surface.z * (o - 1.0);
   }
   if ((m.flags.x & MATERIAL_HAS_EMISSIVE_TEXTURE) != 0u) {
-    s.emissive *= texture(emissiveTexture, uvOf(m, TEX_EMISSIVE)).rgb;
+    s.emissive *= sampleSlot(emissiveTexture, m, TEX_EMISSIVE).rgb;
   }
 #endif
   return s;

@@ -35,6 +35,7 @@
 #define IMG_1 1
 #define IMG_2 2
 #define IMG_3 3
+#define IMG_4 4
 
 // Vertex attributes
 #define ATTR_POSITION 0

@@ -11,7 +11,7 @@
 #define MATERIAL_HAS_NORMAL_TEXTURE 32u
 #define MATERIAL_HAS_OCCLUSION_TEXTURE 64u
 #define MATERIAL_HAS_EMISSIVE_TEXTURE 128u
-#define MATERIAL_TRANSPARENT 256u
+#define MATERIAL_BLEND 256u
 
 #define LIGHT_DIRECTIONAL 0u
 #define LIGHT_POINT 1u
@@ -38,7 +38,7 @@ struct MaterialData {
   vec4 baseColor;
   vec4 emissive;      // rgb; w: normal scale
   vec4 surface;       // metallic, roughness, occlusion strength, alpha cutoff
-  vec4 transmission;  // rgb: tint of transmitted light; w: transmission factor
+  vec4 transmission;  // rgb: attenuation over the thickness; w: transmission factor
   uvec4 flags;        // x: MATERIAL_*; y: bit i set where texture i uses the second UV set
 };
 

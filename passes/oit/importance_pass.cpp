@@ -1,0 +1,50 @@
+#include "passes/oit/importance_pass.h"
+
+#include "passes/oit/common.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+void ImportancePass::declare(frame::PassDeclaration& d) const {
+  if (plan_.method->allocation != Allocation::ImportanceMap) return;
+  d.reads(Resource::FragmentCount, Use::Texture);
+  d.readsHistory(Resource::FrontNormal, Use::Texture);
+  d.writes(Resource::Importance, Use::Image);
+  if (plan_.factorMaps) d.writes(Resource::ImportanceFactors, Use::Image);
+  d.modifies(Resource::OitTotals, Use::Storage);
+}
+
+bool ImportancePass::hasWork(const frame::FrameInputs& in) const {
+  return in.facts.transparentTriangles > 0 &&
+         plan_.method->allocation == Allocation::ImportanceMap;
+}
+
+std::string ImportancePass::reason(const frame::FrameInputs& in) const {
+  return transparencyReason(in, plan_.method->allocation == Allocation::ImportanceMap,
+                            plan_.method->id);
+}
+
+void ImportancePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
+  gl::Defines defines;
+  if (plan_.factorMaps) defines.emplace_back("FACTORS", "1");
+  program_ = programs.get({{"oit/importance.comp"}, defines, {}});
+}
+
+void ImportancePass::execute(frame::PassContext& context) {
+  glUseProgram(program_);
+  const ImportanceSettings& s = plan_.importance;
+  glUniform4f(0, static_cast<float>(s.rangeBias), static_cast<float>(s.periphery),
+              static_cast<float>(s.noise), plan_.layerLimit);
+  glUniform1ui(1, plan_.seed + (s.noisePerFrame ? context.inputs().frameIndex : 0U));
+  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindTexture(TEX_INPUT1, Resource::FrontNormal);
+  context.bindImage(IMG_0, Resource::Importance, GL_WRITE_ONLY);
+  if (plan_.factorMaps) context.bindImage(IMG_1, Resource::ImportanceFactors, GL_WRITE_ONLY);
+  context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
+  dispatchStrips(context);
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,26 @@
+// Composites the stored fragments over the opaque image.
+#pragma once
+
+#include "engine/frame/pass.h"
+#include "engine/frame/pass_context.h"
+#include "passes/oit/plan.h"
+#include "passes/scene_draw.h"
+
+namespace macula::passes {
+
+class ResolvePass final : public frame::Pass {
+ public:
+  explicit ResolvePass(const OitPlan& plan) : plan_(plan) {}
+  [[nodiscard]] std::string_view name() const override { return "oit.resolve"; }
+  void declare(frame::PassDeclaration& d) const override;
+  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
+  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  const OitPlan& plan_;
+  GLuint program_ = 0;
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,52 @@
+#include "passes/tonemap_pass.h"
+
+#include <cmath>
+
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+namespace {
+
+constexpr glm::ivec2 kGroup{8, 8};  // as in shaders/tonemap.comp
+
+/// TONEMAP of shaders/lib/tonemap.glsl.
+std::string curveNumber(const std::string& curve) {
+  if (curve == "neutral") return "1";
+  return curve == "aces" ? "2" : "0";
+}
+
+}  // namespace
+
+void TonemapPass::declare(frame::PassDeclaration& d) const {
+  d.reads(Resource::HdrColor, Use::Texture);
+  d.writes(Resource::DisplayColor, Use::Image);
+  if (settings_.linearOut) d.writes(Resource::LinearColor, Use::Image);
+}
+
+bool TonemapPass::hasWork(const frame::FrameInputs& /*in*/) const { return true; }
+
+std::string TonemapPass::reason(const frame::FrameInputs& /*in*/) const {
+  return "every frame is shown";
+}
+
+void TonemapPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
+  gl::Defines defines{{"TONEMAP", curveNumber(settings_.curve)},
+                      {"SSAA", std::to_string(settings_.ssaa)}};
+  if (settings_.linearOut) defines.emplace_back("LINEAR_OUT", "1");
+  program_ = programs.get({{"tonemap.comp"}, defines, {}});
+}
+
+void TonemapPass::execute(frame::PassContext& context) {
+  glUseProgram(program_);
+  glUniform1f(0, static_cast<float>(std::exp2(settings_.exposure)));
+  context.bindTexture(TEX_INPUT0, Resource::HdrColor);
+  context.bindImage(IMG_0, Resource::DisplayColor, GL_WRITE_ONLY);
+  if (settings_.linearOut) context.bindImage(IMG_1, Resource::LinearColor, GL_WRITE_ONLY);
+  context.dispatch(context.inputs().outputSize, kGroup);
+}
+
+}  // namespace macula::passes

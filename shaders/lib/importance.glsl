@@ -1,0 +1,41 @@
+// Importance of a pixel (Vasilakis 2017, Eq. 3-6), each factor clamped to 0..1.
+#include "lib/frame.glsl"
+
+struct ImportanceSettings {
+  float rangeBias;   // alpha of Eq. 3
+  float periphery;   // d of Eq. 4
+  float noise;       // lambda of Eq. 6
+  float layerLimit;  // N_limit of Eq. 3
+};
+
+/// PCG hash (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
+uint hashPcg(uint x) {
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// Eq. 3.
+float depthComplexityFactor(float layers, ImportanceSettings s) {
+  return clamp(s.rangeBias + (1.0 - s.rangeBias) * min(1.0, layers / s.layerLimit), 0.0, 1.0);
+}
+
+/// Eq. 4. Clamped: off centre the paper's form falls below 0 beyond 0.55 of the diagonal.
+float peripheryFactor(vec2 pixelCenter, ImportanceSettings s) {
+  float x = 2.0 * distance(pixelCenter, frame.gaze.xy) / (1.1 * length(frame.size.xy));
+  return clamp(1.0 - pow(x, s.periphery), 0.0, 1.0);
+}
+
+/// Eq. 5. normal.w: 1 where the last frame had a transparent surface here.
+float fresnelFactor(vec4 normal, vec3 toEye) {
+  if (normal.w <= 0.0) return 1.0;
+  float x = 1.0 - clamp(dot(normalize(normal.xyz), toEye), 0.0, 1.0);
+  float x2 = x * x;
+  return 1.0 - 0.5 * x2 * x2 * x;
+}
+
+/// The noise of Eq. 6: lambda (xi - 0.5), static over frames unless the seed changes.
+float noiseTerm(ivec2 pixel, uint seed, ImportanceSettings s) {
+  uint h = hashPcg(uint(pixel.x) + hashPcg(uint(pixel.y) + hashPcg(seed)));
+  return s.noise * (float(h >> 8) / 16777216.0 - 0.5);  // 24 bits: exact in a float
+}

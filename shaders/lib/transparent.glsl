@@ -1,0 +1,33 @@
+// Radiance and coverage of a transparent fragment, premultiplied.
+// LIT: the run's materials are lit.
+#include "lib/frame.glsl"
+#include "lib/material.glsl"
+#ifdef LIT
+#include "lib/lighting.glsl"
+#endif
+
+/// KHR_materials_transmission as a thin tinted sheet without refraction. The light behind is scaled
+/// by one number, the least channel of the tint, because a layer stores one alpha; what the other
+/// channels let through in addition is approximated by the ambient radiance. It is exact where the
+/// background equals that.
+vec4 shadeTransparent() {
+  MaterialData m = materials[inIds.x];
+  SurfacePoint s = surfaceAt(m);
+#ifdef LIT
+  Radiance r = lightSurface(s, frame.eye.xyz);
+  float transmission = m.transmission.w;
+  if (transmission > 0.0) {
+    vec3 v = normalize(frame.eye.xyz - s.position);
+    float fresnel = fresnelSchlick(vec3(kDielectricF0), abs(dot(s.normal, v))).x;
+    vec3 tint = s.baseColor * m.transmission.rgb;
+    float least = min(tint.r, min(tint.g, tint.b));
+    float through = transmission * (1.0 - fresnel);
+    vec3 color = r.specular + r.diffuse * (1.0 - transmission) + s.emissive +
+                 through * (tint - least) * ambientRadiance(-v);
+    return vec4(color, 1.0 - through * least) * s.alpha;
+  }
+  return vec4((r.diffuse + r.specular + s.emissive) * s.alpha, s.alpha);
+#else
+  return vec4((s.baseColor + s.emissive) * s.alpha, s.alpha);
+#endif
+}

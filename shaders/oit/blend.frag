@@ -1,0 +1,6 @@
+// Transparent fragments in the order in which they are drawn.
+#include "lib/transparent.glsl"
+
+layout(location = 0) out vec4 color;
+
+void main() { color = shadeTransparent(); }

@@ -1,0 +1,87 @@
+// Composites the stored fragments of each pixel over the opaque image, nearest first.
+// SORTED: the ranges are in order. Otherwise they are sorted here by (depth, id).
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "lib/frame.glsl"
+#include "lib/oit.glsl"
+
+layout(binding = TEX_INPUT0) uniform usampler2D fragmentRange;
+layout(binding = TEX_INPUT1) uniform usampler2D fragmentFill;
+layout(rgba16f, binding = IMG_0) uniform image2D hdrColor;
+layout(std430, binding = SSBO_FRAGMENT_KEYS) readonly buffer Keys { uvec2 keys[]; };
+layout(std430, binding = SSBO_FRAGMENT_COLORS) readonly buffer Colors { uvec2 colors[]; };
+
+struct Composite {
+  vec3 color;
+  float transmittance;
+};
+
+/// Front-to-back "over" (Porter and Duff 1984) of one premultiplied fragment.
+void compositeUnder(inout Composite c, uint slot) {
+  vec4 fragment = unpackColor(colors[slot]);
+  c.color += c.transmittance * fragment.rgb;
+  c.transmittance *= 1.0 - fragment.a;
+}
+
+#ifndef SORTED
+/// Insertion sort of (key, slot) in a local array of SIZE entries. A small array for most pixels:
+/// the size of local arrays bounds how many threads a GPU keeps in flight (Lefebvre et al. 2014).
+#define DEFINE_SORT(NAME, SIZE)                                        \
+  void NAME(inout Composite c, uint begin, uint n) {                   \
+    uvec2 sortedKeys[SIZE];                                            \
+    uint slots[SIZE];                                                  \
+    for (uint i = 0u; i < n; ++i) {                                    \
+      uvec2 key = keys[begin + i];                                     \
+      uint j = i;                                                      \
+      for (; j > 0u && isNearer(key, sortedKeys[j - 1u]); --j) {       \
+        sortedKeys[j] = sortedKeys[j - 1u];                            \
+        slots[j] = slots[j - 1u];                                      \
+      }                                                                \
+      sortedKeys[j] = key;                                             \
+      slots[j] = begin + i;                                            \
+    }                                                                  \
+    for (uint i = 0u; i < n; ++i) compositeUnder(c, slots[i]);         \
+  }
+DEFINE_SORT(compositeSmall, SORT_SMALL)
+DEFINE_SORT(compositeLarge, SORT_LARGE)
+
+/// Finds the next fragment again and again: slow, without a bound on n. Keys are unique.
+void compositeBySelection(inout Composite c, uint begin, uint n) {
+  uvec2 last = uvec2(0u);
+  for (uint i = 0u; i < n; ++i) {
+    uvec2 best = uvec2(0xFFFFFFFFu);
+    uint slot = begin;
+    for (uint j = 0u; j < n; ++j) {
+      uvec2 key = keys[begin + j];
+      if ((i == 0u || isNearer(last, key)) && !isNearer(best, key)) {
+        best = key;
+        slot = begin + j;
+      }
+    }
+    compositeUnder(c, slot);
+    last = best;
+  }
+}
+#endif
+
+void main() {
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
+  uvec2 range = texelFetch(fragmentRange, p, 0).rg;
+  if (range.y == 0u) return;
+  uint n = min(texelFetch(fragmentFill, p, 0).r, range.y);
+  Composite c = Composite(vec3(0.0), 1.0);
+#ifdef SORTED
+  for (uint i = 0u; i < n; ++i) compositeUnder(c, range.x + i);
+#else
+  if (n <= SORT_SMALL) {
+    compositeSmall(c, range.x, n);
+  } else if (n <= SORT_LARGE) {
+    compositeLarge(c, range.x, n);
+  } else {
+    compositeBySelection(c, range.x, n);
+  }
+#endif
+  vec3 behind = imageLoad(hdrColor, p).rgb;
+  imageStore(hdrColor, p, vec4(c.color + c.transmittance * behind, 1.0));
+}
