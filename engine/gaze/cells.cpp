@@ -43,9 +43,13 @@ void splitCells(std::string_view row, char separator, std::vector<std::string_vi
   }
 }
 
-std::optional<double> parseNumber(std::string_view cell) { return parseReal<double>(cell); }
+std::optional<double> parseNumber(std::string_view cell) {
+  return parseReal<double>(cell);
+}
 
-std::optional<float> parseFloat(std::string_view cell) { return parseReal<float>(cell); }
+std::optional<float> parseFloat(std::string_view cell) {
+  return parseReal<float>(cell);
+}
 
 std::optional<std::int64_t> parseInteger(std::string_view cell) {
   std::int64_t value = 0;

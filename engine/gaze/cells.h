@@ -15,7 +15,8 @@ namespace macula::gaze {
 /// @param cells is overwritten; it points into `row`
 void splitCells(std::string_view row, char separator, std::vector<std::string_view>& cells);
 
-/// The finite number that the whole cell spells, with '.' or ',' as decimal mark; otherwise nothing.
+/// The finite number that the whole cell spells, with '.' or ',' as decimal mark; otherwise
+/// nothing.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view cell);
 
 /// The same in single precision, rounded once.

@@ -41,7 +41,7 @@ const LogFormat& formatOf(std::string_view header, const Place& place) {
 
 void keepNote(std::string_view comment, GazeLog& log) {
   comment.remove_prefix(1);
-  if (log.notes.size() < kMostNotes) log.notes.emplace_back(trimmed(comment));
+  if (log.notes.size() < kMostNotes) log.notes.emplace_back(trimmed(oneLine(comment)));
 }
 
 /// Times count from the first sample; those that do not go forward are counted.

@@ -31,7 +31,8 @@ struct GazeSample {
 struct CoordinateStatement {
   std::string unit;    ///< "0..1" or "px"
   std::string origin;  ///< "top left"
-  std::optional<glm::dvec2> screenPixels;  ///< the size that pixels were divided by, where one holds
+  std::optional<glm::dvec2>
+      screenPixels;  ///< the size that pixels were divided by, where one holds
 };
 
 /// Rows that are no ordinary samples, and times that cannot be integrated over.
@@ -69,8 +70,8 @@ struct GazeLog {
 [[nodiscard]] GazeLog readGazeLog(std::istream& in, std::string_view name,
                                   const std::optional<std::string>& format = std::nullopt);
 
-/// The log as canonical CSV (see README.md of this folder). Numbers are written in the shortest form
-/// that reads back to the same bits; a position that is not finite makes the sample invalid.
+/// The log as canonical CSV (see README.md of this folder). Numbers are written in the shortest
+/// form that reads back to the same bits; a position that is not finite makes the sample invalid.
 [[nodiscard]] std::string canonicalCsv(const GazeLog& log);
 
 }  // namespace macula::gaze

@@ -16,7 +16,9 @@ constexpr std::array<LogFormat, 2> kFormats{{
 
 }  // namespace
 
-std::span<const LogFormat> logFormats() { return kFormats; }
+std::span<const LogFormat> logFormats() {
+  return kFormats;
+}
 
 std::vector<std::string> gazeFormatNames() {
   std::vector<std::string> names;

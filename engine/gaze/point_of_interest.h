@@ -19,8 +19,8 @@ enum class GazeState {
 /// "ok", "held", "lost", "easing" or "none", as reports write it.
 [[nodiscard]] std::string_view stateName(GazeState state);
 
-/// Radius of the fovea as a share of the window's height: 2.5 degrees (the fovea's edge; Strasburger
-/// et al. 2011, table 1) on a window that spans 25 degrees, such as a 27 inch display 75 cm away.
+/// Radius of the fovea as a share of the window's height: 2.5 degrees (the fovea is about 5.2
+/// degrees across; Wandell 1995) on a window that spans 25, such as a 27 inch display 75 cm away.
 inline constexpr float kFoveaRadius = 0.1F;
 
 /// Where the viewer looks in one frame.

@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/gaze/cells.h"
 #include "engine/gaze/log_format.h"
+#include "engine/gaze/media_map.h"
 
 namespace macula::gaze {
 namespace {
@@ -33,40 +34,26 @@ enum Column : std::size_t {
   ColumnCount
 };
 constexpr std::array<std::string_view, ColumnCount> kColumns{
-    "MicroSecondTimestamp", "Timestamp",      "GazePointX",     "GazePointY",
-    "GazePointXLeft",       "GazePointYLeft", "PupilLeft",      "ValidityLeft",
-    "GazePointXRight",      "GazePointYRight", "PupilRight",    "ValidityRight",
-    "MediaWidth",           "MediaHeight",    "MediaPosX",      "MediaPosY"};
+    "MicroSecondTimestamp", "Timestamp",       "GazePointX", "GazePointY",
+    "GazePointXLeft",       "GazePointYLeft",  "PupilLeft",  "ValidityLeft",
+    "GazePointXRight",      "GazePointYRight", "PupilRight", "ValidityRight",
+    "MediaWidth",           "MediaHeight",     "MediaPosX",  "MediaPosY"};
 constexpr std::array kRequired{GazeX, GazeY, LeftValidity, RightValidity, MediaWidth, MediaHeight};
 
 // Validity code of an eye that was not found; 0 to 3 are degrees of certainty which eye it is.
 constexpr std::int64_t kEyeNotFound = 4;
 // What the export writes as the place of an eye that was not found, in pixels.
 constexpr double kEyeSentinel = -1280.0;
+// No screen is that wide; larger coordinates are codes or rubbish.
+constexpr double kFarthestPixel = 1e6;
 constexpr double kMicroSecondsPerSecond = 1e6;
 constexpr double kMicroSecondsPerMilliSecond = 1e3;
 // 300 years; beyond it, differences would leave the range of the integer.
 constexpr double kLatestMicroSeconds = 1e16;
 
-/// Where the medium lay on the screen, in pixels from the top left.
-struct Rectangle {
-  glm::dvec2 origin{0.0};
-  glm::dvec2 size{0.0};
-  [[nodiscard]] bool holds(const Rectangle& other) const {
-    return glm::all(glm::lessThanEqual(origin, other.origin)) &&
-           glm::all(glm::greaterThanEqual(origin + size, other.origin + other.size));
-  }
-  bool operator==(const Rectangle&) const = default;
-};
-
-/// The medium of the samples from `firstSample` on.
-struct MediumChange {
-  std::size_t firstSample = 0;
-  std::optional<Rectangle> medium;
-};
-
 bool isPlace(const glm::dvec2& pixels) {
-  return pixels != glm::dvec2(0.0) && pixels.x != kEyeSentinel && pixels.y != kEyeSentinel;
+  return pixels != glm::dvec2(0.0) && pixels.x != kEyeSentinel && pixels.y != kEyeSentinel &&
+         std::abs(pixels.x) <= kFarthestPixel && std::abs(pixels.y) <= kFarthestPixel;
 }
 
 class TobiiStudioParser final : public LogParser {
@@ -115,7 +102,7 @@ class TobiiStudioParser final : public LogParser {
     if (log.samples.empty()) firstTime_ = *time;
     // From the difference of integers, so that the quotient is rounded only once.
     sample.timeSeconds = static_cast<double>(*time - firstTime_) / kMicroSecondsPerSecond;
-    noteMedium(log.samples.size());
+    media_.note(log.samples.size(), medium());
     log.samples.push_back(sample);
     return std::nullopt;
   }
@@ -123,26 +110,10 @@ class TobiiStudioParser final : public LogParser {
   void finish(GazeLog& log) override {
     log.startSeconds = static_cast<double>(firstTime_) / kMicroSecondsPerSecond;
     log.coordinates = {.unit = "px", .origin = "top left", .screenPixels = std::nullopt};
-    const std::optional<Rectangle> screen = screenOf();
-    if (screen) log.coordinates.screenPixels = screen->size;
-
-    std::size_t change = 0;
-    bool anyMedium = false;
-    for (std::size_t i = 0; i < log.samples.size(); ++i) {
-      while (change + 1 < media_.size() && media_[change + 1].firstSample <= i) ++change;
-      const std::optional<Rectangle> frame = screen ? screen : media_[change].medium;
-      GazeSample& sample = log.samples[i];
-      if (frame) {
-        anyMedium = true;
-        sample.position = (sample.position - frame->origin) / frame->size;
-      } else {
-        sample.position = kNoPosition;  // pixels of nothing known are no place
-        sample.valid = false;
-      }
-    }
-    if (!anyMedium) {
-      failInput("{}: line 1: no row gives MediaWidth and MediaHeight; export them from Tobii Studio",
-                file_);
+    if (!media_.normalise(log)) {
+      failInput(
+          "{}: line 1: no row gives MediaWidth and MediaHeight; export them from Tobii Studio",
+          file_);
     }
   }
 
@@ -183,8 +154,8 @@ class TobiiStudioParser final : public LogParser {
     double pupilSum = 0.0;
     int places = 0;
     int pupils = 0;
-    for (const Eye& eye : {Eye{leftSeen, LeftX, LeftY, LeftPupil},
-                           Eye{rightSeen, RightX, RightY, RightPupil}}) {
+    for (const Eye& eye :
+         {Eye{leftSeen, LeftX, LeftY, LeftPupil}, Eye{rightSeen, RightX, RightY, RightPupil}}) {
       if (!eye.seen) continue;
       if (const auto pixels = point(eye.x, eye.y)) {
         sum += *pixels;
@@ -211,31 +182,15 @@ class TobiiStudioParser final : public LogParser {
     }
   }
 
-  void noteMedium(std::size_t sampleIndex) {
-    std::optional<Rectangle> medium;
-    const std::optional<double> width = parseNumber(cell(MediaWidth));
-    const std::optional<double> height = parseNumber(cell(MediaHeight));
-    if (width && height && *width >= 1.0 && *height >= 1.0) {
-      medium = Rectangle{{parseNumber(cell(MediaX)).value_or(0.0),
-                          parseNumber(cell(MediaY)).value_or(0.0)},
-                         {*width, *height}};
-    }
-    if (media_.empty() || media_.back().medium != medium) media_.push_back({sampleIndex, medium});
-  }
-
-  /// The screen, where the file shows it: a medium at (0, 0) that holds all the others.
-  [[nodiscard]] std::optional<Rectangle> screenOf() const {
-    Rectangle screen;
-    for (const MediumChange& change : media_) {
-      if (change.medium && change.medium->origin == glm::dvec2(0.0) &&
-          change.medium->holds(screen)) {
-        screen = *change.medium;
-      }
-    }
-    for (const MediumChange& change : media_) {
-      if (change.medium && !screen.holds(*change.medium)) return std::nullopt;
-    }
-    return screen == Rectangle{} ? std::nullopt : std::optional(screen);
+  [[nodiscard]] std::optional<Rectangle> medium() const {
+    const glm::dvec2 origin{parseNumber(cell(MediaX)).value_or(0.0),
+                            parseNumber(cell(MediaY)).value_or(0.0)};
+    const glm::dvec2 size{parseNumber(cell(MediaWidth)).value_or(0.0),
+                          parseNumber(cell(MediaHeight)).value_or(0.0)};
+    const bool sane = size.x >= 1.0 && size.y >= 1.0 && size.x <= kFarthestPixel &&
+                      size.y <= kFarthestPixel && std::abs(origin.x) <= kFarthestPixel &&
+                      std::abs(origin.y) <= kFarthestPixel;
+    return sane ? std::optional(Rectangle{origin, size}) : std::nullopt;
   }
 
   // A human pupil stays below 10 mm; this only keeps other units and rubbish out.
@@ -245,7 +200,7 @@ class TobiiStudioParser final : public LogParser {
   std::size_t width_ = 0;
   std::array<std::optional<std::size_t>, ColumnCount> index_;
   std::vector<std::string_view> cells_;
-  std::vector<MediumChange> media_;
+  MediaMap media_;
   std::int64_t firstTime_ = 0;
 };
 

@@ -48,8 +48,8 @@ glm::dvec2 easeTowards(const glm::dvec2& point, const glm::dvec2& goal, double s
 PointOfInterestTracker::PointOfInterestTracker(double sampleInterval)
     : silenceLimit_(std::max(kSilenceIntervals * sampleInterval, kSilenceSeconds)) {}
 
-bool PointOfInterestTracker::withinHold(double time) const {
-  return time <= trustedAt_ + kHoldSeconds + kTimeTolerance;
+double PointOfInterestTracker::holdEnd() const {
+  return trustedAt_ + kHoldSeconds + kTimeTolerance;
 }
 
 void PointOfInterestTracker::advance(double time) {
@@ -58,7 +58,7 @@ void PointOfInterestTracker::advance(double time) {
     position_ = easeTowards(position_, gaze_, time - now_);
     catchingUp_ = position_ != gaze_;
   } else if (trust_ == Trust::Lost) {
-    const double easeFrom = std::max({now_, lostAt_, trustedAt_ + kHoldSeconds});
+    const double easeFrom = std::max({now_, lostAt_, holdEnd()});
     if (time > easeFrom) position_ = easeTowards(position_, kCentre, time - easeFrom);
   }
   now_ = time;
@@ -77,8 +77,8 @@ void PointOfInterestTracker::noticeSilence(double time) {
   if (time - newestTime_ > silenceLimit_ + kTimeTolerance) lose(newestTime_ + silenceLimit_);
 }
 
-/// Keeps the run of samples at one place, lost ones included: Gazepoint repeats the last place while
-/// it flags the loss, and a tracker may forget the flag.
+/// Keeps the run of samples at one place, lost ones included: Gazepoint repeats the last place
+/// while it flags the loss, and a tracker may forget the flag.
 bool PointOfInterestTracker::extendsFrozenRun(const GazeSample& sample) {
   if (sample.position != runPlace_) {
     runPlace_ = sample.position;
@@ -95,7 +95,7 @@ void PointOfInterestTracker::trust(const GazeSample& sample) {
   if (trust_ == Trust::Lost) {
     trust_ = Trust::Distrusted;
     returnedAt_ = sample.timeSeconds;
-    heldAtReturn_ = withinHold(sample.timeSeconds);
+    heldAtReturn_ = sample.timeSeconds <= holdEnd();
   }
   if (trust_ == Trust::Distrusted) {
     if (sample.timeSeconds - returnedAt_ < kDistrustSeconds - kTimeTolerance) return;
@@ -139,7 +139,7 @@ GazeState PointOfInterestTracker::state() const {
     case Trust::Lost:
       break;
   }
-  if (withinHold(now_)) return GazeState::Held;
+  if (now_ <= holdEnd()) return GazeState::Held;
   return position_ == kCentre ? GazeState::Lost : GazeState::Easing;
 }
 

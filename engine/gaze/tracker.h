@@ -28,8 +28,8 @@ inline constexpr double kSilenceSeconds = 0.060;
 /// The point's speed while it eases, in windows a second: constant when far, then falling with the
 /// square root of the distance (constant deceleration), and constant again near the goal, so that
 /// it arrives on a goal that trembles as a fixation does.
-inline constexpr double kFastestEase = 2.0;  ///< 3.3 % of the window a frame at 60 Hz
-inline constexpr double kSlowestEase = 0.5;  ///< faster than the noise of a fixation wanders
+inline constexpr double kFastestEase = 2.0;        ///< 3.3 % of the window a frame at 60 Hz
+inline constexpr double kSlowestEase = 0.5;        ///< faster than the noise of a fixation wanders
 inline constexpr double kEaseDeceleration = 10.0;  ///< windows/s^2: brakes over the last fifth
 
 /// Places with a larger coordinate are codes (INT32_MAX, -32768 px), not gaze.
@@ -68,7 +68,7 @@ class PointOfInterestTracker {
   void advance(double time);
   bool extendsFrozenRun(const GazeSample& sample);
   void trust(const GazeSample& sample);
-  [[nodiscard]] bool withinHold(double time) const;
+  [[nodiscard]] double holdEnd() const;
   [[nodiscard]] GazeState state() const;
 
   static constexpr double kNever = -std::numeric_limits<double>::infinity();

@@ -1,0 +1,99 @@
+#include "engine/gaze/source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/gaze/cells.h"
+#include "engine/gaze/quality.h"
+
+namespace macula::gaze {
+namespace {
+
+constexpr std::string_view kAccepted = "give center, x,y (each 0..1 of the window) or a gaze log";
+
+PointOfInterest exactly(const glm::dvec2& position) {
+  PointOfInterest point;
+  point.position = glm::vec2(glm::clamp(position, 0.0, 1.0));
+  point.raw = glm::vec2(position);
+  point.state = GazeState::Ok;
+  point.ageSeconds = 0.0F;
+  return point;
+}
+
+double latestTime(const GazeLog& log) {
+  double latest = 0.0;
+  for (const GazeSample& sample : log.samples) latest = std::max(latest, sample.timeSeconds);
+  return latest;
+}
+
+}  // namespace
+
+FixedGaze::FixedGaze(const glm::dvec2& position, std::string name)
+    : position_(position), name_(std::move(name)) {}
+
+PointOfInterest FixedGaze::at(double /*timeSeconds*/) {
+  return exactly(position_);
+}
+
+void MouseGaze::move(const glm::dvec2& position) {
+  // Some window systems report a pointer that has left as infinitely far or not at all.
+  if (std::isnan(position.x) || std::isnan(position.y)) return;
+  point_ = exactly(glm::clamp(position, -kFarthestPlace, kFarthestPlace));
+}
+
+PointOfInterest MouseGaze::at(double /*timeSeconds*/) {
+  return point_;
+}
+
+ReplayGaze::ReplayGaze(GazeLog log, double latencySeconds)
+    : log_(std::move(log)),
+      latency_(latencySeconds),
+      interval_(medianInterval(log_)),
+      lastTime_(latestTime(log_)),
+      tracker_(interval_) {}
+
+PointOfInterest ReplayGaze::at(double timeSeconds) {
+  const double time = timeSeconds - latency_;
+  while (next_ < log_.samples.size() && log_.samples[next_].timeSeconds <= time) {
+    tracker_.observe(log_.samples[next_]);
+    ++next_;
+  }
+  if (next_ > 0 && next_ == log_.samples.size() && time > lastTime_ + interval_ + kTimeTolerance) {
+    tracker_.lose(lastTime_ + interval_);
+  }
+  PointOfInterest point = tracker_.at(time);
+  point.ageSeconds += static_cast<float>(latency_);
+  return point;
+}
+
+std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, double latencySeconds) {
+  if (spec == "center") return std::make_unique<FixedGaze>(glm::dvec2(0.5), spec);
+
+  std::vector<std::string_view> cells;
+  splitCells(spec, ',', cells);
+  if (cells.size() == 2) {
+    const std::optional<double> x = parseNumber(cells[0]);
+    const std::optional<double> y = parseNumber(cells[1]);
+    if (x && y) {
+      const glm::dvec2 position{*x, *y};
+      if (position != glm::clamp(position, 0.0, 1.0)) {
+        failInput("--gaze {}: outside the window; {}", spec, kAccepted);
+      }
+      return std::make_unique<FixedGaze>(position, spec);
+    }
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(spec, error)) {
+    failInput("--gaze {}: no such file and no point; {}", spec, kAccepted);
+  }
+  return std::make_unique<ReplayGaze>(readGazeLog(spec), latencySeconds);
+}
+
+}  // namespace macula::gaze

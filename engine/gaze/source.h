@@ -1,0 +1,83 @@
+// Sources of gaze: each gives a point of interest for a frame time.
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+#include "engine/gaze/log.h"
+#include "engine/gaze/point_of_interest.h"
+#include "engine/gaze/tracker.h"
+
+namespace macula::gaze {
+
+/// Where the point of interest comes from. Asked once a frame, with times that do not decrease.
+class GazeSource {
+ public:
+  GazeSource() = default;
+  GazeSource(const GazeSource&) = delete;
+  GazeSource& operator=(const GazeSource&) = delete;
+  virtual ~GazeSource() = default;
+
+  /// The point of interest of the frame at `timeSeconds` (frame i of a replay is at i / fps).
+  [[nodiscard]] virtual PointOfInterest at(double timeSeconds) = 0;
+
+  /// Short name for reports and the UI: "center", "0.3,0.7", "mouse" or the log's path.
+  [[nodiscard]] virtual std::string name() const = 0;
+};
+
+/// A fixed point. It is known exactly, so no rule ever takes it for lost.
+class FixedGaze final : public GazeSource {
+ public:
+  /// @param position 0..1 of the window
+  FixedGaze(const glm::dvec2& position, std::string name);
+  [[nodiscard]] PointOfInterest at(double timeSeconds) override;
+  [[nodiscard]] std::string name() const override { return name_; }
+
+ private:
+  glm::dvec2 position_;
+  std::string name_;
+};
+
+/// The mouse pointer in place of an eye. It may rest as long as it likes and is never lost; outside
+/// the window it counts as at the edge.
+class MouseGaze final : public GazeSource {
+ public:
+  /// @param position 0..1 of the window from the top left; values outside and NaN are allowed
+  void move(const glm::dvec2& position);
+  /// State "none" and the centre until the first move().
+  [[nodiscard]] PointOfInterest at(double timeSeconds) override;
+  [[nodiscard]] std::string name() const override { return "mouse"; }
+
+ private:
+  PointOfInterest point_;
+};
+
+/// Replays a log under the loss rule: the same log and frame times give the same points. The log's
+/// first sample is at time 0. Every sample between two frames is seen, so that a blink between them
+/// counts; after the last one the point is held and then eases to the centre.
+class ReplayGaze final : public GazeSource {
+ public:
+  /// @param latencySeconds >= 0; a frame at t knows the samples up to t - latencySeconds
+  explicit ReplayGaze(GazeLog log, double latencySeconds = 0.0);
+  [[nodiscard]] PointOfInterest at(double timeSeconds) override;
+  [[nodiscard]] std::string name() const override { return log_.name; }
+  [[nodiscard]] const GazeLog& log() const { return log_; }
+
+ private:
+  GazeLog log_;
+  double latency_;
+  double interval_;
+  double lastTime_;
+  PointOfInterestTracker tracker_;
+  std::size_t next_ = 0;
+};
+
+/// Makes a source from what --gaze names: `center`, `x,y` (each 0..1 of the window), or a log file.
+/// @param latencySeconds as for ReplayGaze; fixed points have none
+/// @throws InputError naming the mend
+[[nodiscard]] std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec,
+                                                        double latencySeconds = 0.0);
+
+}  // namespace macula::gaze
