@@ -1,4 +1,4 @@
-// The launch shape of the passes that walk strips of pixels.
+// What the transparency passes have in common: the launch shape of strips, reasons.
 #pragma once
 
 #include <fmt/format.h>

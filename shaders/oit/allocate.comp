@@ -48,6 +48,7 @@ void main() {
   uint kMax = 0u;
   uint kMinInverted = 0u;
   uint generated = 0u;
+  uint covered = 0u;
   uint countMax = 0u;
 #ifdef ALLOCATION_IMPORTANCE
   double total = double(totals.importanceHigh) * 4294967296.0lf + double(totals.importanceLow);
@@ -78,6 +79,7 @@ void main() {
       kMax = max(kMax, k);
       kMinInverted = max(kMinInverted, ~k);
       generated += n;
+      ++covered;
       countMax = max(countMax, n);
       stored += min(n, k);
     }
@@ -106,6 +108,7 @@ void main() {
   atomicMax(totals.kMinInverted, kMinInverted);
 #ifdef ALLOCATION_EXACT
   atomicAdd(totals.generated, generated);
+  atomicAdd(totals.covered, covered);
   atomicMax(totals.countMax, countMax);
 #endif
 }

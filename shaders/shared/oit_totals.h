@@ -11,16 +11,16 @@ struct OitTotals {
   uint starved;         // of these, those whose share of the budget rounds to no layer
   uint generated;       // fragments counted
   uint stored;          // sum of min(n, k)
-  uint cursor;          // slots handed out
+  uint cursor;          // sum of k: slots handed out; exact methods may ask for more than exist
   uint kMax;            // over covered pixels
   uint kMinInverted;    // 0xFFFFFFFF - least k over covered pixels, so that 0 is the start
-  uint kSum;
   uint countMax;        // largest n of this frame
   uint lockFailures;    // fragments given up at the bound of a spin lock
-  uint refused;         // slots asked for beyond the pool (exact methods): the frame is inexact
   uint padding0;
   uint padding1;
   uint padding2;
+  uint padding3;
+  uint padding4;
 };
 
 MACULA_SHARED_END

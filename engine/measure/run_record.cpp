@@ -1,0 +1,133 @@
+#include "engine/measure/run_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/measure/statistics.h"
+
+namespace macula::measure {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity: both mean that there is no such value.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json errorJson(const std::optional<ImageError>& error) {
+  if (!error) return {{"rmse", nullptr}, {"psnr_db", nullptr}, {"max", nullptr}, {"flip", nullptr}};
+  return {{"rmse", error->rmse},
+          {"psnr_db", orNull(error->psnrDb)},
+          {"max", error->max},
+          {"flip", orNull(error->flip)}};
+}
+
+Json fragmentsJson(const std::optional<FragmentNumbers>& f) {
+  if (!f) {
+    return {{"generated", nullptr}, {"stored", nullptr}, {"merged", nullptr}, {"lost", nullptr}};
+  }
+  return {{"generated", f->generated}, {"stored", f->stored}, {"merged", f->merged},
+          {"lost", f->lost}};
+}
+
+Json layersJson(const std::optional<LayerNumbers>& k) {
+  if (!k) return {{"min", nullptr}, {"max", nullptr}, {"mean", nullptr}};
+  return {{"min", k->min}, {"max", k->max}, {"mean", k->mean}};
+}
+
+Json frameJson(const FrameRecord& frame) {
+  Json ms{{"total", frame.totalMs}};
+  for (const auto& [name, value] : frame.passMs) ms[name] = value;
+  return {{"index", frame.index},
+          {"time_s", frame.timeSeconds},
+          {"gaze",
+           {{"x", frame.gazeX},
+            {"y", frame.gazeY},
+            {"raw_x", number(frame.rawX)},
+            {"raw_y", number(frame.rawY)},
+            {"state", frame.gazeState},
+            {"age_s", number(frame.gazeAgeSeconds)}}},
+          {"r", frame.resizeFactor},
+          {"ms", ms},
+          {"fragments", fragmentsJson(frame.fragments)},
+          {"k", layersJson(frame.layers)},
+          {"error", errorJson(frame.error)},
+          {"exact", frame.exact},
+          {"image_sha256", frame.imageSha256}};
+}
+
+std::optional<ImageError> meanError(const std::vector<FrameRecord>& frames) {
+  ImageError sum;
+  double squares = 0.0;
+  double flip = 0.0;
+  int count = 0;
+  bool hasFlip = true;
+  for (const FrameRecord& frame : frames) {
+    if (!frame.error) continue;
+    ++count;
+    squares += frame.error->rmse * frame.error->rmse;
+    sum.max = std::max(sum.max, frame.error->max);
+    hasFlip = hasFlip && frame.error->flip.has_value();
+    flip += frame.error->flip.value_or(0.0);
+  }
+  if (count == 0) return std::nullopt;
+  const double meanSquare = squares / count;
+  sum.rmse = std::sqrt(meanSquare);
+  if (meanSquare > 0.0) sum.psnrDb = -10.0 * std::log10(meanSquare);
+  if (hasFlip) sum.flip = flip / count;
+  return sum;
+}
+
+std::optional<FragmentNumbers> sumFragments(const std::vector<FrameRecord>& frames) {
+  FragmentNumbers sum;
+  for (const FrameRecord& frame : frames) {
+    if (!frame.fragments) return std::nullopt;
+    sum.generated += frame.fragments->generated;
+    sum.stored += frame.fragments->stored;
+    sum.merged += frame.fragments->merged;
+    sum.lost += frame.fragments->lost;
+  }
+  return sum;
+}
+
+Json summaryJson(const RunRecord& run) {
+  std::vector<double> totals;
+  for (const FrameRecord& frame : run.frames) totals.push_back(frame.totalMs);
+  return {{"ms", {{"median", orNull(median(totals))}, {"p95", orNull(p95(totals))}}},
+          {"error", errorJson(meanError(run.frames))},
+          {"fragments", fragmentsJson(sumFragments(run.frames))},
+          {"load_ms", run.loadMs},
+          {"first_frame_ms", run.firstFrameMs}};
+}
+
+}  // namespace
+
+Json toJson(const RunRecord& run) {
+  Json report{{"schema", 1},
+              {"commit", run.commit},
+              {"scene", run.scene},
+              {"width", run.width},
+              {"height", run.height},
+              {"gl",
+               {{"renderer", run.renderer},
+                {"version", run.version},
+                {"time_source", run.timeSource}}},
+              {"method", run.method},
+              {"sync", orNull(run.sync)},
+              {"settings", Json(run.settings)},
+              {"bytes",
+               {{"oit", run.oitBytes},
+                {"budget", orNull(run.budgetBytes)},
+                {"overhead", run.overheadBytes},
+                {"gbuffer", run.gbufferBytes}}},
+              {"frames", Json::array()}};
+  for (const FrameRecord& frame : run.frames) report["frames"].push_back(frameJson(frame));
+  report["summary"] = summaryJson(run);
+  return report;
+}
+
+}  // namespace macula::measure

@@ -1,0 +1,73 @@
+// What a replay measured, frame by frame, and report.json.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/measure/image_error.h"
+
+namespace macula::measure {
+
+/// Numbers of fragments of one frame: generated = stored + merged + lost.
+struct FragmentNumbers {
+  std::uint64_t generated = 0;
+  std::uint64_t stored = 0;
+  std::uint64_t merged = 0;
+  std::uint64_t lost = 0;
+};
+
+struct LayerNumbers {
+  std::uint32_t min = 0;
+  std::uint32_t max = 0;
+  double mean = 0.0;
+};
+
+struct FrameRecord {
+  int index = 0;
+  double timeSeconds = 0.0;
+  double gazeX = 0.5;  ///< 0..1 from the top left
+  double gazeY = 0.5;
+  double rawX = 0.0;  ///< as recorded; NaN where there is none
+  double rawY = 0.0;
+  std::string gazeState;
+  double gazeAgeSeconds = 0.0;  ///< infinite where no sample has come yet
+  double resizeFactor = 1.0;
+  double totalMs = 0.0;
+  std::vector<std::pair<std::string, double>> passMs;
+  std::optional<FragmentNumbers> fragments;
+  std::optional<LayerNumbers> layers;
+  std::optional<ImageError> error;
+  bool exact = false;
+  std::string imageSha256;
+};
+
+struct RunRecord {
+  std::string commit;
+  std::string scene;
+  int width = 0;
+  int height = 0;
+  std::string renderer;
+  std::string version;
+  std::string timeSource;
+  std::string method;
+  std::optional<std::string> sync;
+  nlohmann::json settings;
+  std::uint64_t oitBytes = 0;
+  std::optional<std::uint64_t> budgetBytes;
+  std::uint64_t overheadBytes = 0;
+  std::uint64_t gbufferBytes = 0;
+  double loadMs = 0.0;
+  double firstFrameMs = 0.0;  ///< from the start of the command to the end of the first frame
+  std::vector<FrameRecord> frames;
+};
+
+/// report.json, schema 1. What does not apply is null.
+/// The summary: median and 95th percentile of the frame times; the errors' means over frames, with
+/// rmse as the root of the mean square, psnr_db from it, and max as the largest; fragment sums.
+[[nodiscard]] nlohmann::ordered_json toJson(const RunRecord& run);
+
+}  // namespace macula::measure

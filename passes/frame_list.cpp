@@ -1,0 +1,47 @@
+// The one file that names every pass, in the order in which a frame runs them.
+#include "passes/frame_list.h"
+
+#include "passes/gbuffer_pass.h"
+#include "passes/heatmap_pass.h"
+#include "passes/lighting_pass.h"
+#include "passes/oit/allocate_pass.h"
+#include "passes/oit/blend_pass.h"
+#include "passes/oit/capture_pass.h"
+#include "passes/oit/count_pass.h"
+#include "passes/oit/importance_pass.h"
+#include "passes/oit/reserve_pass.h"
+#include "passes/oit/resolve_pass.h"
+#include "passes/shadow_pass.h"
+#include "passes/tonemap_pass.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+
+frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& plan) {
+  std::vector<std::unique_ptr<frame::Pass>> passes;
+  // Opaque
+  passes.push_back(std::make_unique<ShadowPass>(settings.shadow));
+  passes.push_back(std::make_unique<GBufferPass>());
+  passes.push_back(std::make_unique<LightingPass>());
+  // Transparent, over the opaque image
+  passes.push_back(std::make_unique<BlendPass>(plan));
+  passes.push_back(std::make_unique<CountPass>(plan));
+  passes.push_back(std::make_unique<ImportancePass>(plan));
+  passes.push_back(std::make_unique<ReservePass>(plan));
+  passes.push_back(std::make_unique<AllocatePass>(plan));
+  passes.push_back(std::make_unique<CapturePass>(plan));
+  passes.push_back(std::make_unique<ResolvePass>(plan));
+  // What is shown
+  passes.push_back(std::make_unique<TonemapPass>(settings.tonemap));
+  passes.push_back(std::make_unique<HeatmapPass>(settings.heatmap, plan, settings.tonemap.ssaa));
+  return {std::move(passes), {Resource::DisplayColor, Resource::LinearColor, Resource::OitTotals}};
+}
+
+frame::FrameInputs inputsOf(const scene::SceneFacts& facts) {
+  frame::FrameInputs inputs;
+  inputs.facts = facts;
+  return inputs;
+}
+
+}  // namespace macula::passes

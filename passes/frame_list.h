@@ -1,0 +1,16 @@
+// The frame in order.
+#pragma once
+
+#include "engine/frame/frame_list.h"
+#include "passes/oit/plan.h"
+#include "passes/render_settings.h"
+
+namespace macula::passes {
+
+/// Makes the list of all passes. No GL. Settings and plan must outlive it.
+[[nodiscard]] frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& plan);
+
+/// Inputs that answer which passes a scene runs, without a GPU.
+[[nodiscard]] frame::FrameInputs inputsOf(const scene::SceneFacts& facts);
+
+}  // namespace macula::passes

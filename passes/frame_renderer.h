@@ -1,0 +1,96 @@
+// Draws frames of one scene with one set of settings: what the tools talk to.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/frame/frame_list.h"
+#include "engine/frame/frame_resources.h"
+#include "engine/scene/gpu_scene.h"
+#include "passes/machine.h"
+#include "passes/oit/plan.h"
+#include "passes/render_settings.h"
+#include "shared/oit_totals.h"
+
+namespace macula::passes {
+
+/// Fragments of one frame. generated = stored + merged + lost.
+struct FragmentCounts {
+  std::uint64_t generated = 0;  ///< pass opaque depth
+  std::uint64_t stored = 0;
+  std::uint64_t merged = 0;  ///< in a tail
+  std::uint64_t lost = 0;
+};
+
+/// Layers over the covered samples; none where nothing is covered or nothing is stored.
+struct LayerStatistics {
+  std::uint32_t min = 0;
+  std::uint32_t max = 0;
+  double mean = 0.0;
+};
+
+struct FrameResult {
+  double totalMs = 0.0;  ///< from glFinish to glFinish
+  std::span<const frame::PassTime> passes;  ///< until the next frame
+  std::optional<FragmentCounts> fragments;  ///< none where the method does not count
+  std::optional<LayerStatistics> layers;
+  std::uint32_t deepest = 0;     ///< largest number of fragments in a sample
+  std::uint32_t lockFailures = 0;
+  bool exact = false;            ///< every fragment reached the image in its place
+  int recaptures = 0;            ///< times the frame was drawn again with a larger pool
+};
+
+class FrameRenderer {
+ public:
+  FrameRenderer(const RenderSettings& settings, Machine& machine);
+
+  /// The scene must outlive the renderer or the next call.
+  void setScene(const scene::GpuScene& scene);
+  /// Pixels of the image. Invalidates history.
+  void resize(glm::ivec2 outputSize);
+  /// To be called after a change of the settings given to the constructor.
+  void settingsChanged();
+
+  /// @param gaze 0..1 of the window from the top left
+  /// @param cut the camera jumped; history is invalid
+  FrameResult render(const scene::Camera& camera, glm::vec2 gaze, bool cut = false);
+
+  /// RGB8 of the last frame, rows from the top, 3 bytes a pixel.
+  void readDisplay(std::vector<std::uint8_t>& rgb) const;
+  /// Linear RGB of the last frame after the tone curve, rows from the top; needs
+  /// settings.tonemap.linearOut.
+  void readLinear(std::vector<float>& rgb) const;
+
+  [[nodiscard]] const OitPlan& plan() const { return plan_; }
+  [[nodiscard]] frame::ResourceBytes bytes() const { return resources_.bytes(); }
+  [[nodiscard]] const frame::FrameResources& resources() const { return resources_; }
+  [[nodiscard]] glm::ivec2 outputSize() const { return inputs_.outputSize; }
+  [[nodiscard]] std::vector<frame::PassReport> report() const { return list_.report(inputs_); }
+
+ private:
+  void prepare();
+  void sizePool(std::uint32_t slots);
+  void uploadConstants();
+  [[nodiscard]] shader::OitTotals runOnce();
+  [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals) const;
+
+  const RenderSettings& settings_;
+  Machine& machine_;
+  OitPlan plan_;
+  frame::FrameInputs inputs_;
+  frame::FrameResources resources_;
+  frame::FrameList list_;
+  gl::FrameTimer timer_;
+  gl::Buffer constants_;
+  std::optional<scene::Camera> lastCamera_;
+  std::uint32_t deepestSeen_ = 0;
+  double extraMs_ = 0.0;
+  bool prepared_ = false;
+  bool historyUsable_ = false;
+};
+
+}  // namespace macula::passes

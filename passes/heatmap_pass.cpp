@@ -1,0 +1,99 @@
+#include "passes/heatmap_pass.h"
+
+#include <algorithm>
+
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+namespace {
+
+constexpr glm::ivec2 kGroup{8, 8};  // as in shaders/heatmap.comp
+
+struct Map {
+  std::string_view name;
+  Resource source;
+  std::string_view channel;  ///< SOURCE_CHANNEL of the shader
+};
+
+constexpr std::array kMaps{
+    Map{"k", Resource::FragmentRange, "g"},
+    Map{"depth-complexity", Resource::FragmentCount, "r"},
+    Map{"importance", Resource::ImportanceFactors, "a"},
+    Map{"periphery", Resource::ImportanceFactors, "r"},
+    Map{"depth-factor", Resource::ImportanceFactors, "g"},
+    Map{"fresnel", Resource::ImportanceFactors, "b"},
+};
+
+const Map* find(const std::string& name) {
+  const auto it = std::find_if(kMaps.begin(), kMaps.end(),
+                               [&](const Map& map) { return map.name == name; });
+  return it == kMaps.end() ? nullptr : &*it;
+}
+
+/// Whether the plan's method makes what the map shows.
+bool isMade(const Map& map, const OitPlan& plan) {
+  if (map.source == Resource::FragmentRange) return plan.method->stores();
+  if (map.source == Resource::FragmentCount) return plan.method->counts();
+  return plan.method->allocation == Allocation::ImportanceMap;
+}
+
+}  // namespace
+
+std::vector<std::string> heatmapNames() {
+  std::vector<std::string> names{"none"};
+  for (const Map& map : kMaps) names.emplace_back(map.name);
+  return names;
+}
+
+bool needsFactors(const std::string& name) {
+  const Map* map = find(name);
+  return map != nullptr && map->source == Resource::ImportanceFactors;
+}
+
+double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) {
+  if (needsFactors(settings.map)) return 1.0;
+  if (settings.range > 0.0) return settings.range;
+  // Up to the largest count seen, or what a budget can hand out to a pixel at its best.
+  return std::max(4.0, static_cast<double>(plan.layerLimit));
+}
+
+void HeatmapPass::declare(frame::PassDeclaration& d) const {
+  const Map* map = find(settings_.map);
+  if (map == nullptr || !isMade(*map, plan_)) return;
+  d.reads(map->source, Use::Texture);
+  d.modifies(Resource::DisplayColor, Use::Image);
+}
+
+bool HeatmapPass::hasWork(const frame::FrameInputs& in) const {
+  const Map* map = find(settings_.map);
+  return map != nullptr && isMade(*map, plan_) && in.facts.transparentTriangles > 0;
+}
+
+std::string HeatmapPass::reason(const frame::FrameInputs& in) const {
+  const Map* map = find(settings_.map);
+  if (map == nullptr) return "no heat map is shown";
+  if (!isMade(*map, plan_)) return "the method does not make this quantity";
+  return in.facts.transparentTriangles > 0 ? "a heat map is shown" : "nothing transparent";
+}
+
+void HeatmapPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
+  const Map& map = *find(settings_.map);
+  gl::Defines defines{{"SOURCE_CHANNEL", std::string(map.channel)}};
+  if (map.source == Resource::FragmentRange) defines.emplace_back("SOURCE_INTEGER", "1");
+  program_ = programs.get({{"heatmap.comp"}, defines, {}});
+}
+
+void HeatmapPass::execute(frame::PassContext& context) {
+  glUseProgram(program_);
+  glUniform1f(0, static_cast<float>(heatmapRange(settings_, plan_)));
+  glUniform1i(1, samplesPerAxis_);
+  context.bindTexture(TEX_INPUT0, find(settings_.map)->source);
+  context.bindImage(IMG_0, Resource::DisplayColor, GL_READ_WRITE);
+  context.dispatch(context.inputs().outputSize, kGroup);
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,42 @@
+// Per-pixel quantities of the transparency passes as colours over the image.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/frame/pass.h"
+#include "engine/frame/pass_context.h"
+#include "passes/oit/plan.h"
+
+namespace macula::passes {
+
+class HeatmapPass final : public frame::Pass {
+ public:
+  struct Settings {
+    std::string map = "none";  ///< one of heatmapNames()
+    double range = 0.0;        ///< value of the hottest colour for counts and k; 0: 4 k_ave
+  };
+  HeatmapPass(const Settings& settings, const OitPlan& plan, const int& samplesPerAxis)
+      : settings_(settings), plan_(plan), samplesPerAxis_(samplesPerAxis) {}
+  [[nodiscard]] std::string_view name() const override { return "heatmap"; }
+  void declare(frame::PassDeclaration& d) const override;
+  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
+  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  const Settings& settings_;
+  const OitPlan& plan_;
+  const int& samplesPerAxis_;
+  GLuint program_ = 0;
+};
+
+/// none, k, depth-complexity, importance, periphery, depth-factor, fresnel.
+[[nodiscard]] std::vector<std::string> heatmapNames();
+/// Whether a map shows a factor of the importance, which is then kept for it.
+[[nodiscard]] bool needsFactors(const std::string& map);
+/// Value of the hottest colour: counts and k by the setting, factors 1.
+[[nodiscard]] double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan);
+
+}  // namespace macula::passes

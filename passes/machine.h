@@ -1,0 +1,26 @@
+// What was found out about this machine once, before the first frame.
+#pragma once
+
+#include "engine/core/file.h"
+#include "engine/gl/capabilities.h"
+#include "engine/gl/program.h"
+#include "engine/gl/time_source.h"
+#include "passes/oit/sync.h"
+
+namespace macula::passes {
+
+/// Needs a current context and must go before it does.
+struct Machine {
+  gl::Capabilities capabilities;
+  gl::ProgramCache programs;
+  gl::TimeSourceCheck time;
+  OrderedCheck ordered;
+
+  Machine()
+      : capabilities(gl::readCapabilities()),
+        programs(dataFolder("shaders")),
+        time(gl::checkTimeSource(programs)),
+        ordered(checkOrdered(capabilities, programs)) {}
+};
+
+}  // namespace macula::passes

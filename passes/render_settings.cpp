@@ -1,0 +1,84 @@
+#include "passes/render_settings.h"
+
+#include <vector>
+
+namespace macula::passes {
+namespace {
+
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.emplace_back(method.id);
+  return names;
+}
+
+void registerOit(settings::Registry& registry, OitSettings& s) {
+  registry.addChoice({.key = "oit.method", .alias = "method", .help = "how transparency is drawn"},
+                     s.method, methodNames());
+  registry.add({.key = "oit.kAve",
+                .alias = "k-ave",
+                .unit = "fragments/sample",
+                .help = "layers stored per sample on average (Vasilakis 2017, Eq. 2)"},
+               s.kAve, {.min = 0.0, .minExclusive = true, .max = 4096.0});
+  registry.add({.key = "oit.memoryMiB",
+                .alias = "oit-memory",
+                .unit = "MiB",
+                .help = "budget of the fragment storage; 0: by --k-ave, else it wins"},
+               s.memoryMiB, {.min = 0.0, .max = 8192.0});
+  registry.addChoice({.key = "oit.sync", .help = "how fragments of one pixel take turns"}, s.sync,
+                     {"auto", "interlock", "spinlock", "ordered", "none"});
+}
+
+void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
+  registry.add({.key = "importance.rangeBias", .help = "alpha of Vasilakis 2017, Eq. 3"},
+               s.rangeBias, {.min = 0.0, .max = 1.0});
+  registry.add({.key = "importance.periphery",
+                .help = "d of Vasilakis 2017, Eq. 4: how fast importance falls off the gaze"},
+               s.periphery, {.min = 0.0, .minExclusive = true, .max = 64.0});
+  registry.add({.key = "importance.noise", .help = "lambda of Vasilakis 2017, Eq. 6"}, s.noise,
+               {.min = 0.0, .max = 1.0});
+  registry.add({.key = "importance.layerLimit",
+                .unit = "layers",
+                .help = "N_limit of Vasilakis 2017, Eq. 3; 0: the largest count seen so far"},
+               s.layerLimit, {.min = 0.0, .max = 65535.0});
+  registry.add({.key = "importance.noisePerFrame", .help = "a new random number each frame"},
+               s.noisePerFrame);
+}
+
+}  // namespace
+
+void registerSettings(settings::Registry& registry, RenderSettings& s) {
+  registerOit(registry, s.oit);
+  registerImportance(registry, s.importance);
+  registry.addChoice({.key = "tonemap.curve",
+                      .alias = "tonemap",
+                      .help = "none writes linear values as they are"},
+                     s.tonemap.curve, {"none", "neutral", "aces"});
+  registry.add({.key = "tonemap.exposure", .alias = "exposure", .unit = "stops", .help = "brighter"},
+               s.tonemap.exposure, {.min = -32.0, .max = 32.0});
+  registry.addNumberChoice({.key = "frame.ssaa",
+                            .alias = "ssaa",
+                            .unit = "samples per axis",
+                            .help = "supersampling: N x N samples for each pixel"},
+                           s.tonemap.ssaa, {1, 2, 4});
+  registry.add({.key = "scene.environment",
+                .alias = "environment",
+                .help = "equirectangular .hdr or .exr for light and background"},
+               s.environment);
+  registry.add({.key = "scene.background",
+                .alias = "background",
+                .unit = "linear R,G,B",
+                .help = "where nothing is drawn"},
+               s.background, {.min = 0.0, .max = 10000.0});
+  registry.add({.key = "frame.seed", .alias = "seed", .help = "of noise and procedural scenes"},
+               s.seed, {.min = 0.0, .max = 2147483647.0});
+  registry.add({.key = "shadow.size", .unit = "texels a side", .help = "of the shadow map"},
+               s.shadow.size, {.min = 64.0, .max = 8192.0});
+  registry.addChoice({.key = "view.heatmap", .alias = "heatmap", .help = "shown over the image"},
+                     s.heatmap.map, heatmapNames());
+  registry.add({.key = "view.heatmapRange",
+                .unit = "layers",
+                .help = "value of the hottest colour for counts and k; 0: the largest count"},
+               s.heatmap.range, {.min = 0.0, .max = 65535.0});
+}
+
+}  // namespace macula::passes

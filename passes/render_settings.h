@@ -1,0 +1,31 @@
+// Every setting of the renderer, and their registration.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "engine/settings/registry.h"
+#include "passes/heatmap_pass.h"
+#include "passes/oit/plan.h"
+#include "passes/shadow_pass.h"
+#include "passes/tonemap_pass.h"
+
+namespace macula::passes {
+
+struct RenderSettings {
+  OitSettings oit;
+  ImportanceSettings importance;
+  ShadowPass::Settings shadow;
+  TonemapPass::Settings tonemap;
+  HeatmapPass::Settings heatmap;
+  std::filesystem::path environment;  ///< equirectangular panorama; empty: none
+  glm::vec3 background{0.0F};         ///< linear RGB
+  std::uint32_t seed = 1;             ///< of noise and procedural scenes
+};
+
+/// Registers all of them; `settings` must outlive the registry.
+void registerSettings(settings::Registry& registry, RenderSettings& settings);
+
+}  // namespace macula::passes

@@ -1,0 +1,103 @@
+#include "common.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/image/image.h"
+#include "engine/scene/load.h"
+
+namespace macula::tools {
+
+glm::ivec2 parseSize(const std::string& text) {
+  constexpr int kMaxSide = 16384;
+  glm::ivec2 size{0};
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, size.x);
+  const bool cross = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
+  const auto second = cross ? std::from_chars(first.ptr + 1, end, size.y) : first;
+  if (!cross || second.ec != std::errc{} || second.ptr != end || size.x < 1 || size.y < 1 ||
+      size.x > kMaxSide || size.y > kMaxSide) {
+    failInput("--size: '{}' is no size; give WIDTHxHEIGHT with sides from 1 to {}, as 1024x768",
+              text, kMaxSide);
+  }
+  return size;
+}
+
+LoadedScene loadForRendering(const std::string& nameOrPath, const passes::RenderSettings& settings) {
+  const auto begin = std::chrono::steady_clock::now();
+  LoadedScene loaded;
+  loaded.scene = scene::loadScene(nameOrPath, settings.seed);
+  scene::addDefaultLights(loaded.scene);
+  if (!settings.environment.empty()) {
+    const image::ImageF image = image::readHdr(settings.environment);
+    scene::Panorama panorama{image.width, image.height, {}};
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += channels) {
+      panorama.pixels.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+    }
+    loaded.environment = scene::makeEnvironment(std::move(panorama));
+  }
+  loaded.loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+                      .count();
+  return loaded;
+}
+
+scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
+  if (spec == "auto") return scene::autoOrbit(scene);
+  if (spec != "scene") return scene::readCameraPath(spec);
+  if (scene.cameras.empty()) {
+    failInput("--camera: {} holds no camera; use auto or a path file", scene.name);
+  }
+  return scene::fixedCamera(scene.cameras.front());
+}
+
+void addJsonOption(CLI::App& command, std::string& file) {
+  command.add_option("--json", file, "Write the numbers as JSON; - is standard output")
+      ->type_name("FILE");
+}
+
+void writeJson(const std::string& file, const nlohmann::ordered_json& value) {
+  if (file.empty()) return;
+  const std::string text = value.dump(2) + "\n";
+  if (file == "-") {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  } else {
+    writeFileAtomically(file, text);
+  }
+}
+
+void addPlatformOption(CLI::App& command, std::string& platform) {
+  command.add_option("--platform", platform, "How EGL finds the device (default auto)")
+      ->check(CLI::IsMember({"auto", "surfaceless", "device"}))
+      ->type_name("auto|surfaceless|device");
+}
+
+window::EglPlatform platformOf(const std::string& name) {
+  if (name == "surfaceless") return window::EglPlatform::Surfaceless;
+  return name == "device" ? window::EglPlatform::Device : window::EglPlatform::Auto;
+}
+
+ProgressBar::ProgressBar(std::string label, int total)
+    : label_(std::move(label)), total_(total), shown_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_) std::fputc('\n', stderr);
+}
+
+void ProgressBar::advance() {
+  ++done_;
+  if (!shown_) return;
+  constexpr int kWidth = 32;
+  const int filled = total_ > 0 ? done_ * kWidth / total_ : kWidth;
+  std::fprintf(stderr, "\r%s [%s%s] %d/%d", label_.c_str(),
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
+               std::string(static_cast<std::size_t>(kWidth - filled), '.').c_str(), done_, total_);
+  std::fflush(stderr);
+}
+
+}  // namespace macula::tools

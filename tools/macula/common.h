@@ -1,0 +1,61 @@
+// What several subcommands need.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/scene/camera_path.h"
+#include "engine/scene/environment.h"
+#include "engine/scene/scene.h"
+#include "engine/window/headless.h"
+#include "passes/render_settings.h"
+
+namespace macula::tools {
+
+/// "1024x768". @throws InputError naming the option; sides from 1 to 16384
+[[nodiscard]] glm::ivec2 parseSize(const std::string& text);
+
+/// A scene as the renderer wants it: with default lights where the file has none.
+struct LoadedScene {
+  scene::Scene scene;
+  std::optional<scene::Environment> environment;
+  double loadMs = 0.0;
+};
+
+/// @param nameOrPath procedural name or file
+[[nodiscard]] LoadedScene loadForRendering(const std::string& nameOrPath,
+                                           const passes::RenderSettings& settings);
+
+/// `auto`, `scene` or a path file.
+[[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);
+
+/// Adds `--json FILE`; `-` is standard output.
+void addJsonOption(CLI::App& command, std::string& file);
+/// Writes to the file of --json; nothing where it was not given.
+void writeJson(const std::string& file, const nlohmann::ordered_json& value);
+
+/// Adds `--platform auto|surfaceless|device` for the context without a window.
+void addPlatformOption(CLI::App& command, std::string& platform);
+[[nodiscard]] window::EglPlatform platformOf(const std::string& name);
+
+/// A line that grows, on a terminal; silent when piped.
+class ProgressBar {
+ public:
+  ProgressBar(std::string label, int total);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  void advance();
+
+ private:
+  std::string label_;
+  int total_;
+  int done_ = 0;
+  bool shown_;
+};
+
+}  // namespace macula::tools

@@ -1,0 +1,37 @@
+// Options of `macula replay`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+#include "engine/settings/registry.h"
+#include "passes/render_settings.h"
+
+namespace macula::tools {
+
+struct ReplayOptions {
+  std::string scene;
+  std::string gaze = "center";
+  std::string camera = "auto";
+  int frames = 60;
+  std::string size = "1024x1024";
+  std::string out;
+  std::string images;  ///< "", "png" or "exr"
+  std::string json;
+  std::string platform = "auto";
+  bool reference = false;
+  bool hdr = false;
+  double fps = 60.0;
+  double latencyMs = 0.0;
+  int warmup = 3;
+  double pixelsPerDegree = 0.0;  ///< 0: the default of FLIP
+  passes::RenderSettings settings;
+  settings::Registry registry;
+};
+
+/// Draws the frames and writes images and report.
+void replay(const ReplayOptions& options);
+
+}  // namespace macula::tools

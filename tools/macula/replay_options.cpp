@@ -1,0 +1,44 @@
+// The command line of `macula replay`.
+#include "commands.h"
+#include "common.h"
+#include "engine/settings/command_line.h"
+#include "replay.h"
+
+namespace macula::tools {
+
+void addReplay(CLI::App& root) {
+  constexpr int kMaxFrames = 1000000;
+  auto o = std::make_shared<ReplayOptions>();
+  passes::registerSettings(o->registry, o->settings);
+  CLI::App* command =
+      root.add_subcommand("replay", "Headless, deterministic frames along a gaze log and a camera");
+  command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name")->required();
+  command->add_option("--gaze", o->gaze, "center, x,y (0..1) or a log file (default center)");
+  command->add_option("--camera", o->camera, "auto, scene or a path file (default auto)");
+  command->add_option("--frames", o->frames, "Number of frames (default 60)")
+      ->check(CLI::Range(1, kMaxFrames));
+  command->add_option("--size", o->size, "WIDTHxHEIGHT (default 1024x1024)");
+  command->add_option("--out", o->out, "Folder for report.json and images")->required();
+  command->add_option("--images", o->images, "Also write each frame")
+      ->check(CLI::IsMember({"png", "exr"}));
+  command->add_flag("--reference", o->reference,
+                    "Draw ab-sbuffer beside each frame and report errors");
+  command->add_flag("--hdr", o->hdr, "Errors on linear values");
+  command->add_option("--fps", o->fps, "Frame i is at i / fps (default 60)")
+      ->check(CLI::Range(0.001, 100000.0));
+  command->add_option("--gaze-latency-ms", o->latencyMs, "A frame knows gaze this much older")
+      ->check(CLI::Range(0.0, 10000.0));
+  command->add_option("--warmup", o->warmup, "Frames before frame 0, not reported (default 3)")
+      ->check(CLI::Range(0, 1000));
+  command->add_option("--pixels-per-degree", o->pixelsPerDegree, "Of FLIP (default 67.0206)")
+      ->check(CLI::Range(1.0, 1000.0));
+  addPlatformOption(*command, o->platform);
+  addJsonOption(*command, o->json);
+  settings::addOptions(*command, o->registry);
+  command->callback([o, command] {
+    settings::applyOptions(*command, o->registry);
+    replay(*o);
+  });
+}
+
+}  // namespace macula::tools
