@@ -25,6 +25,11 @@ class Assembler {
         out += line + '\n';
         continue;
       }
+      // Headers that C++ shares with GLSL name standard headers for C++ alone.
+      if (line.find('<') != std::string::npos) {
+        out += '\n';
+        continue;
+      }
       const std::size_t open = line.find('"');
       const std::size_t close = line.rfind('"');
       if (open == std::string::npos || close <= open) {

@@ -8,8 +8,6 @@
 
 namespace macula::image::codec {
 
-enum class Format : std::uint8_t { Png, Exr, Hdr };
-
 /// Checks what a header claims, before anything of that size is allocated.
 /// @param fileBytes length of the file
 /// @throws InputError naming the file
@@ -23,9 +21,10 @@ template <typename Image>
          static_cast<std::size_t>(image.channels);
 }
 
-/// Decodes a file whose first bytes say `format`. Calls checkHeader().
-[[nodiscard]] ImageF read(Format format, const std::filesystem::path& path,
-                          std::uintmax_t fileBytes);
+/// Decode a file whose first bytes are those of the format; they call checkHeader(). A PNG has
+/// passed checkPng().
+[[nodiscard]] ImageF readPng(const std::filesystem::path& path, std::uintmax_t fileBytes);
+[[nodiscard]] ImageF readExr(const std::filesystem::path& path, std::uintmax_t fileBytes);
 /// Writes to `temporary`. @param path the final path, for messages
 void writePng(const std::filesystem::path& temporary, const std::filesystem::path& path,
               const Image8& image);

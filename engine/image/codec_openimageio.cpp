@@ -14,19 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By OpenImageIO's name, so that it never tries the other formats that it knows.
-const char* formatName(Format format) {
-  switch (format) {
-    case Format::Png:
-      return "png";
-    case Format::Exr:
-      return "openexr";
-    case Format::Hdr:
-      break;
-  }
-  return "hdr";
-}
-
 /// The library's words, with a stand-in where it has none. Fetching them also clears them;
 /// uncollected ones would be printed when the reader is destroyed.
 template <typename Source>
@@ -72,10 +59,9 @@ void write(const char* format, const fs::path& temporary, const fs::path& path,
   }
 }
 
-}  // namespace
-
-ImageF read(Format format, const fs::path& path, std::uintmax_t fileBytes) {
-  const auto input = OIIO::ImageInput::create(formatName(format));
+/// @param format by OpenImageIO's name, so that it never tries the other formats that it knows
+ImageF read(const char* format, const fs::path& path, std::uintmax_t fileBytes) {
+  const auto input = OIIO::ImageInput::create(format);
   if (!input) failInput("{}: OpenImageIO has no reader: {}", path.string(), OIIO::geterror());
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);  // PNG alpha stays out of the colours
@@ -99,6 +85,16 @@ ImageF read(Format format, const fs::path& path, std::uintmax_t fileBytes) {
   return image;
 }
 
+}  // namespace
+
+ImageF readPng(const fs::path& path, std::uintmax_t fileBytes) {
+  return read("png", path, fileBytes);
+}
+
+ImageF readExr(const fs::path& path, std::uintmax_t fileBytes) {
+  return read("openexr", path, fileBytes);
+}
+
 void writePng(const fs::path& temporary, const fs::path& path, const Image8& image) {
   write("png", temporary, path,
         makeSpec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8),
@@ -106,9 +102,10 @@ void writePng(const fs::path& temporary, const fs::path& path, const Image8& ima
 }
 
 void writeExr(const fs::path& temporary, const fs::path& path, const ImageF& image) {
-  OIIO::ImageSpec spec =
-      makeSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
+  OIIO::ImageSpec spec = makeSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
   spec.attribute("compression", "zip");
+  // Left out, OpenImageIO writes the present time, and equal images would make unequal files.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
   write("openexr", temporary, path, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
 }
 

@@ -1,8 +1,9 @@
-// PNG and HDR through stb, for builds without OpenImageIO.
+// PNG through stb, for builds without OpenImageIO.
 #define STB_IMAGE_STATIC  // tinygltf may bring a copy of its own
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
-#define STBI_ONLY_HDR
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_STDIO
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -51,11 +52,12 @@ void take(Sample* decoded, float full, const fs::path& path, ImageF& image) {
 
 }  // namespace
 
-ImageF read(Format format, const fs::path& path, std::uintmax_t fileBytes) {
-  if (format == Format::Exr) {
-    failInput("{}: this build reads no EXR; build with MACULA_IMAGE_IO=ON or give a PNG or HDR",
-              path.string());
-  }
+ImageF readExr(const fs::path& path, std::uintmax_t) {
+  failInput("{}: this build reads no EXR; build with MACULA_IMAGE_IO=ON or give a PNG or HDR",
+            path.string());
+}
+
+ImageF readPng(const fs::path& path, std::uintmax_t fileBytes) {
   const std::string text = readTextFile(path);
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     failInput("{}: is larger than 2 GiB; give a smaller image", path.string());
@@ -71,10 +73,7 @@ ImageF read(Format format, const fs::path& path, std::uintmax_t fileBytes) {
   int height = 0;
   int stored = 0;
   const int channels = image.channels;
-  if (format == Format::Hdr) {
-    take(stbi_loadf_from_memory(bytes, length, &width, &height, &stored, channels), 1.0F, path,
-         image);
-  } else if (stbi_is_16_bit_from_memory(bytes, length) != 0) {
+  if (stbi_is_16_bit_from_memory(bytes, length) != 0) {
     take(stbi_load_16_from_memory(bytes, length, &width, &height, &stored, channels), 65535.0F,
          path, image);
   } else {

@@ -14,12 +14,15 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/image/codec.h"
+#include "engine/image/png_check.h"
+#include "engine/image/radiance.h"
 
 namespace macula::image {
 namespace {
 
 namespace fs = std::filesystem;
-using codec::Format;
+
+enum class Format : std::uint8_t { Png, Exr, Hdr };
 
 constexpr int kMaxChannels = 4;
 
@@ -53,8 +56,8 @@ Format sniff(const fs::path& path) {
 /// A mistake in the program, not in its input.
 template <typename Image>
 void requireShape(const Image& image) {
-  const bool sides = image.width >= 1 && image.height >= 1 && image.width <= kMaxSide &&
-                     image.height <= kMaxSide;
+  const bool sides =
+      image.width >= 1 && image.height >= 1 && image.width <= kMaxSide && image.height <= kMaxSide;
   const bool depth = image.channels >= 1 && image.channels <= kMaxChannels;
   if (!sides || !depth || image.pixels.size() != codec::sampleCount(image)) {
     throw std::invalid_argument("an image whose sides, channels and pixels do not agree");
@@ -70,16 +73,17 @@ void codec::checkHeader(const fs::path& path, std::int64_t width, std::int64_t h
               kMaxSide, kMaxSide);
   }
   if (channels < 1) failInput("{}: holds no channels; write it again", path.string());
-  const auto samples =
-      static_cast<std::uintmax_t>(width) * static_cast<std::uintmax_t>(height) *
-      static_cast<std::uintmax_t>(std::min<std::int64_t>(channels, kMaxChannels));
+  const auto samples = static_cast<std::uintmax_t>(width) * static_cast<std::uintmax_t>(height) *
+                       static_cast<std::uintmax_t>(std::min<std::int64_t>(channels, kMaxChannels));
   if (samples / kMaxExpansion > fileBytes) {
     failInput("{}: is damaged: its {} bytes cannot hold the {} x {} pixels that its header claims",
               path.string(), fileBytes, width, height);
   }
 }
 
-bool hasExr() { return MACULA_IMAGE_IO != 0; }
+bool hasExr() {
+  return MACULA_IMAGE_IO != 0;
+}
 
 ImageF readImage(const fs::path& path) {
   std::error_code error;
@@ -90,7 +94,10 @@ ImageF readImage(const fs::path& path) {
   const Format format = sniff(path);
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (error) failInput("{}: cannot be read ({})", path.string(), error.message());
-  ImageF image = codec::read(format, path, bytes);
+  if (format == Format::Png) checkPng(path);
+  ImageF image = format == Format::Hdr   ? readRadiance(path)
+                 : format == Format::Png ? codec::readPng(path, bytes)
+                                         : codec::readExr(path, bytes);
   image.linear = format != Format::Png;
   return image;
 }
@@ -110,14 +117,14 @@ ImageF readHdr(const fs::path& path) {
 
 void writePng(const fs::path& path, const Image8& image) {
   requireShape(image);
-  writeFileAtomically(
-      path, [&](const fs::path& temporary) { codec::writePng(temporary, path, image); });
+  writeFileAtomically(path,
+                      [&](const fs::path& temporary) { codec::writePng(temporary, path, image); });
 }
 
 void writeExr(const fs::path& path, const ImageF& image) {
   requireShape(image);
-  writeFileAtomically(
-      path, [&](const fs::path& temporary) { codec::writeExr(temporary, path, image); });
+  writeFileAtomically(path,
+                      [&](const fs::path& temporary) { codec::writeExr(temporary, path, image); });
 }
 
 Image8 toImage8(const ImageF& image) {

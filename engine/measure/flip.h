@@ -12,15 +12,14 @@
 
 namespace macula::measure {
 
-/// The paper's viewing condition: a monitor 0.69 m wide with 3840 pixels, seen from 0.70 m:
-/// 0.70 * 3840 / 0.69 * pi / 180, to its four published decimals.
+/// The paper's viewing condition: 3840 pixels on a monitor 0.70 m wide, seen from 0.70 m:
+/// 0.70 * 3840 / 0.70 * pi / 180.
 inline constexpr double kDefaultPixelsPerDegree = 67.0206;
 
 /// R, G or B (0..2) of a pixel; a grey image's one value for each.
 [[nodiscard]] inline float colourAt(const image::ImageF& image, std::size_t pixel, int channel) {
   const auto channels = static_cast<std::size_t>(image.channels);
-  return image.pixels[pixel * channels +
-                      (channels < 3 ? 0 : static_cast<std::size_t>(channel))];
+  return image.pixels[pixel * channels + (channels < 3 ? 0 : static_cast<std::size_t>(channel))];
 }
 
 /// The FLIP error of every pixel, 0 (none) to 1. Values are taken as sRGB-encoded and clamped to

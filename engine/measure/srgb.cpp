@@ -5,23 +5,28 @@
 namespace macula::measure {
 namespace {
 
-// IEC 61966-2-1, the encoding and its decoding: a straight part near black, then a power.
-constexpr float kSlope = 12.92F;
-constexpr float kLinearKnee = 0.0031308F;
-constexpr float kEncodedKnee = 0.04045F;
-constexpr float kOffset = 0.055F;
-constexpr float kGamma = 2.4F;
+// IEC 61966-2-1, the encoding and its decoding: a straight part near black, then a power. In
+// double, so that 1 stays exactly 1 both ways.
+constexpr double kSlope = 12.92;
+constexpr double kLinearKnee = 0.0031308;
+constexpr double kEncodedKnee = 0.04045;
+constexpr double kOffset = 0.055;
+constexpr double kGamma = 2.4;
 
 }  // namespace
 
 float encodeSrgb(float linear) {
-  if (linear <= kLinearKnee) return linear * kSlope;
-  return (1.0F + kOffset) * std::pow(linear, 1.0F / kGamma) - kOffset;
+  const double x = linear;
+  const double encoded =
+      x <= kLinearKnee ? x * kSlope : (1.0 + kOffset) * std::pow(x, 1.0 / kGamma) - kOffset;
+  return static_cast<float>(encoded);
 }
 
 float decodeSrgb(float encoded) {
-  if (encoded <= kEncodedKnee) return encoded / kSlope;
-  return std::pow((encoded + kOffset) / (1.0F + kOffset), kGamma);
+  const double x = encoded;
+  const double linear =
+      x <= kEncodedKnee ? x / kSlope : std::pow((x + kOffset) / (1.0 + kOffset), kGamma);
+  return static_cast<float>(linear);
 }
 
 }  // namespace macula::measure

@@ -22,9 +22,13 @@ std::optional<double> percentile(std::span<const double> values, double fraction
   return sorted[below] + share * (sorted[above] - sorted[below]);
 }
 
-std::optional<double> median(std::span<const double> values) { return percentile(values, 0.5); }
+std::optional<double> median(std::span<const double> values) {
+  return percentile(values, 0.5);
+}
 
-std::optional<double> p95(std::span<const double> values) { return percentile(values, 0.95); }
+std::optional<double> p95(std::span<const double> values) {
+  return percentile(values, 0.95);
+}
 
 std::optional<double> mean(std::span<const double> values) {
   if (values.empty()) return std::nullopt;

@@ -17,42 +17,55 @@ struct Layout {
 std::size_t componentBytes(int type) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: return 0;  // INT and DOUBLE are tinygltf's, not glTF's
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return 4;
+    default:
+      return 0;  // INT and DOUBLE are tinygltf's, not glTF's
   }
 }
 
 std::size_t componentCount(const tinygltf::Accessor& accessor) {
   switch (accessor.type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
+    case TINYGLTF_TYPE_SCALAR:
+      return 1;
+    case TINYGLTF_TYPE_VEC2:
+      return 2;
+    case TINYGLTF_TYPE_VEC3:
+      return 3;
+    case TINYGLTF_TYPE_VEC4:
+      return 4;
     // MAT2 and MAT3 have padded columns, and nothing that is read here uses them.
-    case TINYGLTF_TYPE_MAT4: return 16;
-    default: return 0;
+    case TINYGLTF_TYPE_MAT4:
+      return 16;
+    default:
+      return 0;
   }
 }
 
 // Checks that `count` elements of `elementBytes` lie inside a buffer view.
 Layout layoutOf(const Document& document, std::int32_t view, std::size_t byteOffset,
-                std::size_t elementBytes, std::size_t count, bool strided,
-                std::string_view place) {
+                std::size_t elementBytes, std::size_t count, bool strided, std::string_view place) {
   const std::span<const std::byte> bytes = document.viewBytes(view, place);
-  const std::size_t declared = document.model.bufferViews[static_cast<std::size_t>(view)].byteStride;
+  const std::size_t declared =
+      document.model.bufferViews[static_cast<std::size_t>(view)].byteStride;
   const std::size_t stride = strided && declared != 0 ? declared : elementBytes;
   if (stride < elementBytes) {
-    document.fail(place, "byteStride {} of buffer view {} is less than an element of {} bytes; "
-                  "export the file again", stride, view, elementBytes);
+    document.fail(place,
+                  "byteStride {} of buffer view {} is less than an element of {} bytes; "
+                  "export the file again",
+                  stride, view, elementBytes);
   }
   const std::size_t room = byteOffset > bytes.size() ? 0 : bytes.size() - byteOffset;
   const std::size_t most = room < elementBytes ? 0 : (room - elementBytes) / stride + 1;
   if (count > most) {
-    document.fail(place, "{} elements asked for, and buffer view {} holds {}; export the file again",
+    document.fail(place,
+                  "{} elements asked for, and buffer view {} holds {}; export the file again",
                   count, view, most);
   }
   // Without elements there may be no bytes to point at.
@@ -102,24 +115,31 @@ void copyAs(int componentType, const Layout& from, std::size_t count, std::size_
       return copyElements<std::uint16_t>(from, count, components, normalized, to);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return copyElements<std::uint32_t>(from, count, components, normalized, to);
-    default: return copyElements<float>(from, count, components, normalized, to);
+    default:
+      return copyElements<float>(from, count, components, normalized, to);
   }
 }
 
 std::uint32_t indexAt(int componentType, const Layout& from, std::size_t i) {
   const std::byte* element = from.first + i * from.stride;
   switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return loadAs<std::uint8_t>(element);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return loadAs<std::uint16_t>(element);
-    default: return loadAs<std::uint32_t>(element);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return loadAs<std::uint8_t>(element);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return loadAs<std::uint16_t>(element);
+    default:
+      return loadAs<std::uint32_t>(element);
   }
 }
 
 std::uint32_t largestIndex(int componentType) {
   switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return std::numeric_limits<std::uint8_t>::max();
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return std::numeric_limits<std::uint16_t>::max();
-    default: return std::numeric_limits<std::uint32_t>::max();
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return std::numeric_limits<std::uint8_t>::max();
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return std::numeric_limits<std::uint16_t>::max();
+    default:
+      return std::numeric_limits<std::uint32_t>::max();
   }
 }
 
@@ -142,13 +162,12 @@ void applySparse(const Document& document, const tinygltf::Accessor& accessor,
     document.fail(place, "its sparse part is malformed; export the file again");
   }
   const auto count = static_cast<std::size_t>(sparse.count);
-  const Layout indices =
-      layoutOf(document, sparse.indices.bufferView,
-               static_cast<std::size_t>(sparse.indices.byteOffset),
-               componentBytes(sparse.indices.componentType), count, false, place);
-  const Layout values =
-      layoutOf(document, sparse.values.bufferView,
-               static_cast<std::size_t>(sparse.values.byteOffset), elementBytes, count, false, place);
+  const Layout indices = layoutOf(
+      document, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+      componentBytes(sparse.indices.componentType), count, false, place);
+  const Layout values = layoutOf(document, sparse.values.bufferView,
+                                 static_cast<std::size_t>(sparse.values.byteOffset), elementBytes,
+                                 count, false, place);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t index = indexAt(sparse.indices.componentType, indices, i);
     if (index >= accessor.count) {
@@ -219,8 +238,10 @@ std::vector<std::uint32_t> readIndices(const Document& document, std::int32_t in
                 indices[element] = indexAt(type, value, 0);
               });
   if (std::find(indices.begin(), indices.end(), largestIndex(type)) != indices.end()) {
-    document.fail(place, "its indices hold the primitive restart value {}, which glTF forbids; "
-                  "export the file again", largestIndex(type));
+    document.fail(place,
+                  "its indices hold the primitive restart value {}, which glTF forbids; "
+                  "export the file again",
+                  largestIndex(type));
   }
   return indices;
 }

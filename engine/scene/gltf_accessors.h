@@ -17,9 +17,7 @@ struct Elements {
   std::vector<float> values;   ///< count * components
 
   /// Component c of element i.
-  [[nodiscard]] float at(std::size_t i, std::size_t c) const {
-    return values[i * components + c];
-  }
+  [[nodiscard]] float at(std::size_t i, std::size_t c) const { return values[i * components + c]; }
 };
 
 /// How integers become floats.
@@ -36,8 +34,8 @@ enum class Integers : std::uint8_t {
 /// where no buffer view stands behind them.
 /// @param count at most the accessor's count, bounded by the caller
 /// @throws InputError where the data do not lie inside their buffer
-[[nodiscard]] Elements readElements(const Document& document, std::int32_t index,
-                                    std::size_t count, std::string_view place,
+[[nodiscard]] Elements readElements(const Document& document, std::int32_t index, std::size_t count,
+                                    std::string_view place,
                                     Integers integers = Integers::AsDeclared);
 
 /// Reads an index accessor: SCALAR of unsigned 8, 16 or 32 bits.

@@ -57,8 +57,10 @@ Container splitBinary(std::span<const std::byte> bytes, const std::string& name)
   }
   const std::size_t length = u32At(bytes, 8);
   if (length > bytes.size()) {
-    failInput("{}: the .glb is cut off, its header says {} bytes and {} are there; copy or export "
-              "the file again", name, length, bytes.size());
+    failInput(
+        "{}: the .glb is cut off, its header says {} bytes and {} are there; copy or export "
+        "the file again",
+        name, length, bytes.size());
   }
   if (length <= kHeaderBytes) {
     failInput("{}: the .glb holds nothing behind its header; export the file again", name);
@@ -86,7 +88,8 @@ Container splitBinary(std::span<const std::byte> bytes, const std::string& name)
 Container splitContainer(std::span<const std::byte> bytes, const std::string& name) {
   if (bytes.empty()) failInput("{}: the file is empty; name a .gltf or .glb file", name);
   Container container;
-  if (bytes.size() >= 4 && u32At(bytes, 0) == kMagic) {
+  const bool isBinary = bytes.size() >= 4 && u32At(bytes, 0) == kMagic;
+  if (isBinary) {
     container = splitBinary(bytes, name);
   } else {
     container.json = asText(bytes);
@@ -95,6 +98,7 @@ Container splitContainer(std::span<const std::byte> bytes, const std::string& na
   if (container.json.starts_with(kByteOrderMark)) container.json.remove_prefix(3);
   const std::size_t start = container.json.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos || container.json[start] != '{') {
+    if (isBinary) failInput("{}: the JSON chunk holds no object; export the file again", name);
     failInput("{}: is neither a .glb nor the JSON of a .gltf; name a glTF 2.0 file", name);
   }
   return container;

@@ -14,8 +14,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 6> kSupportedExtensions = {
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength", "KHR_materials_transmission",
-    "KHR_materials_unlit",   "KHR_materials_volume",            "KHR_mesh_quantization"};
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+    "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_volume",       "KHR_mesh_quantization"};
 
 // tinygltf copies nested values by recursion; real files nest less than 20 deep.
 constexpr int kMaxNesting = 256;
@@ -137,9 +138,10 @@ void checkMeshes(const json& root, const std::string& name) {
       const auto position = static_cast<std::size_t>(indexMember(*attributes, "POSITION"));
       if (extensions != nullptr && extensions->contains("KHR_draco_mesh_compression") &&
           position < accessors.size() && member(accessors[position], "bufferView") == nullptr) {
-        failInput("{}: mesh {} primitive {} is compressed with KHR_draco_mesh_compression, which "
-                  "Macula does not read; export the file without it",
-                  name, meshIndex, primitiveIndex);
+        failInput(
+            "{}: mesh {} primitive {} is compressed with KHR_draco_mesh_compression, which "
+            "Macula does not read; export the file without it",
+            name, meshIndex, primitiveIndex);
       }
       ++primitiveIndex;
     }
@@ -177,7 +179,8 @@ void readBuffers(const json& root, std::span<const std::byte> binary, Document& 
       continue;
     }
     if (bytes.size() < byteLength) {
-      document.fail(place, "has {} bytes where byteLength asks for {}; copy or export the file again",
+      document.fail(place,
+                    "has {} bytes where byteLength asks for {}; copy or export the file again",
                     bytes.size(), byteLength);
     }
     document.buffers.push_back(bytes.first(static_cast<std::size_t>(byteLength)));
@@ -186,8 +189,8 @@ void readBuffers(const json& root, std::span<const std::byte> binary, Document& 
 
 void readImageSources(const json& root, Document& document) {
   for (const json& image : arrayMember(root, "images", document.name)) {
-    document.images.push_back(
-        {stringMember(image, "name"), stringMember(image, "uri"), indexMember(image, "bufferView")});
+    document.images.push_back({stringMember(image, "name"), stringMember(image, "uri"),
+                               indexMember(image, "bufferView")});
   }
 }
 
@@ -263,6 +266,7 @@ Document openDocument(std::span<const std::byte> bytes, const std::filesystem::p
     errors = error.what();
   }
   if (!parsed) {
+    while (errors.ends_with('\n') || errors.ends_with('.')) errors.pop_back();
     failInput("{}: {}; correct the file or export it again", name,
               errors.empty() ? "the glTF structure cannot be read" : oneLine(errors));
   }

@@ -37,14 +37,14 @@ class Warnings {
 /// An image as the file names it, not yet read.
 struct ImageSource {
   std::string name;
-  std::string uri;                 ///< relative or data URI; empty where bufferView is given
+  std::string uri;  ///< relative or data URI; empty where bufferView is given
   std::int32_t bufferView = kNone;
 };
 
 struct Document {
-  std::string name;               ///< of the file, for messages
-  std::filesystem::path folder;   ///< where relative URIs lead; empty: nowhere
-  tinygltf::Model model;          ///< without buffers, images and animations
+  std::string name;              ///< of the file, for messages
+  std::filesystem::path folder;  ///< where relative URIs lead; empty: nowhere
+  tinygltf::Model model;         ///< without buffers, images and animations
   std::vector<ImageSource> images;
   std::vector<std::span<const std::byte>> buffers;  ///< empty where a buffer names no bytes
   std::vector<std::vector<std::byte>> storage;      ///< bytes behind `buffers` outside the .glb
@@ -59,8 +59,8 @@ struct Document {
   /// Adds the warning "place: what".
   template <typename... Args>
   void warn(std::string_view place, fmt::format_string<Args...> format, Args&&... args) {
-    warnings.add(oneLine(fmt::format("{}: {}", place,
-                                     fmt::format(format, std::forward<Args>(args)...))));
+    warnings.add(
+        oneLine(fmt::format("{}: {}", place, fmt::format(format, std::forward<Args>(args)...))));
   }
   /// The bytes of a buffer view. @throws InputError where it does not lie inside its buffer
   [[nodiscard]] std::span<const std::byte> viewBytes(std::int32_t view,

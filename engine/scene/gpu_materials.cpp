@@ -60,15 +60,10 @@ gl::SamplerId makeSampler(const Sampler& s) {
   return gl::SamplerId(id);
 }
 
-/// Transmitted light's tint of a thin wall: base colour times Beer's law over the thickness.
-glm::vec3 tintOf(const Material& m) {
-  glm::vec3 tint(m.baseColor);
-  if (m.attenuationDistance > 0.0F && m.thickness > 0.0F) {
-    const float path = m.thickness / m.attenuationDistance;
-    tint *= glm::vec3(std::pow(m.attenuationColor.r, path), std::pow(m.attenuationColor.g, path),
-                      std::pow(m.attenuationColor.b, path));
-  }
-  return tint;
+/// What a thin wall's volume lets through: Beer's law over the thickness (KHR_materials_volume).
+glm::vec3 attenuationOf(const Material& m) {
+  if (m.attenuationDistance <= 0.0F || m.thickness <= 0.0F) return glm::vec3(1.0F);
+  return glm::pow(m.attenuationColor, glm::vec3(m.thickness / m.attenuationDistance));
 }
 
 shader::MaterialData dataOf(const Material& m) {
@@ -76,11 +71,11 @@ shader::MaterialData dataOf(const Material& m) {
   d.baseColor = m.baseColor;
   d.emissive = glm::vec4(m.emissive, m.normalScale);
   d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
-  d.transmission = glm::vec4(tintOf(m), m.transmission);
+  d.transmission = glm::vec4(attenuationOf(m), m.transmission);
   d.flags.x = (m.unlit ? MATERIAL_UNLIT : 0U) |
               (m.alphaMode == AlphaMode::Mask ? MATERIAL_MASK : 0U) |
               (m.doubleSided ? MATERIAL_DOUBLE_SIDED : 0U) |
-              (m.isTransparent() ? MATERIAL_TRANSPARENT : 0U);
+              (m.alphaMode == AlphaMode::Blend ? MATERIAL_BLEND : 0U);
   const auto textures = texturesOf(m);
   for (std::size_t i = 0; i < textures.size(); ++i) {
     if (textures[i]->image != kNone) d.flags.x |= kTextureFlags[i];

@@ -148,6 +148,7 @@ void GpuScene::bindMaterialTextures(std::int32_t material) const {
 void GpuScene::draw(const DrawList& list, const DrawRun& run) const {
   if (run.cull == CullMode::None) {
     glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
   } else {
     glEnable(GL_CULL_FACE);
     glFrontFace(run.cull == CullMode::BackMirrored ? GL_CW : GL_CCW);

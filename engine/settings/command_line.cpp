@@ -69,6 +69,16 @@ const CLI::App& innermost(const CLI::App& root) {
   return *app;
 }
 
+/// "; see macula replay --help"
+std::string seeHelp(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* parent = app.get_parent(); parent != nullptr;
+       parent = parent->get_parent()) {
+    if (!parent->get_name().empty()) name = parent->get_name() + " " + name;
+  }
+  return "; see " + name + (name.empty() ? "" : " ") + "--help";
+}
+
 std::vector<std::string> optionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -89,14 +99,30 @@ std::vector<std::string> subcommandNames(const CLI::App& app) {
   const std::string shown = argument.substr(0, std::min(kShownCharacters, argument.find('=')));
   if (!shown.empty() && shown[0] == '-') {
     failInput("unknown option '{}'; the nearest is '{}'{}", shown,
-              nearestName(shown, optionNames(app)),
-              app.get_name().empty() ? "" : " (see " + app.get_name() + " --help)");
+              nearestName(shown, optionNames(app)), seeHelp(app));
   }
   const std::vector<std::string> commands = subcommandNames(app);
   if (!commands.empty()) {
-    failInput("unknown subcommand '{}'; the nearest is '{}'", shown, nearestName(shown, commands));
+    failInput("unknown subcommand '{}'; the nearest is '{}'{}", shown, nearestName(shown, commands),
+              seeHelp(app));
   }
-  failInput("unexpected argument '{}'; see {} --help", shown, app.get_name());
+  failInput("unexpected argument '{}'{}", shown, seeHelp(app));
+}
+
+/// Every option of the line with its value, as the line was written. CLI11 notes the order of
+/// options and keeps each one's values in order, so walking both in step gives the pairs; from the
+/// back, because it keeps the order of earlier parses of the same app in front.
+std::vector<std::pair<const CLI::Option*, std::string>> inOrder(const CLI::App& app) {
+  std::vector<std::pair<const CLI::Option*, std::string>> pairs;
+  std::map<const CLI::Option*, std::size_t> taken;
+  const std::vector<CLI::Option*>& order = app.parse_order();
+  for (auto at = order.rbegin(); at != order.rend(); ++at) {
+    const std::vector<std::string>& values = (*at)->results();
+    const std::size_t fromBack = ++taken[*at];
+    if (fromBack <= values.size()) pairs.emplace_back(*at, values[values.size() - fromBack]);
+  }
+  std::reverse(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace
@@ -133,13 +159,7 @@ void applyOptions(const CLI::App& app, Registry& registry) {
       entries[option] = &entry;
     }
   }
-  // CLI11 notes the order of options and keeps each one's values in order: walking both in step
-  // gives the line as it was written.
-  std::map<const CLI::Option*, std::size_t> used;
-  for (const CLI::Option* option : app.parse_order()) {
-    const std::size_t nth = used[option]++;
-    if (nth >= option->results().size()) continue;
-    const std::string& text = option->results()[nth];
+  for (const auto& [option, text] : inOrder(app)) {
     if (option == set) {
       registry.setAssignment(text, kSet);
     } else if (const auto found = entries.find(option); found != entries.end()) {
@@ -174,7 +194,7 @@ void failCommandLine(const CLI::App& root, const CLI::ParseError& error) {
   const auto option = std::find_if(left.begin(), left.end(), isOption);
   if (option != left.end()) failLeftover(app, *option);
   if (!left.empty()) failLeftover(app, left.front());
-  failInput("{}; see {} --help", error.what(), app.get_name().empty() ? "the" : app.get_name());
+  failInput("{}{}", error.what(), seeHelp(app));
 }
 
 }  // namespace macula::settings

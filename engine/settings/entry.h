@@ -1,13 +1,11 @@
 // One setting: a field of the program with its name, unit, range, help and default.
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/settings/binding.h"
 #include "engine/settings/value.h"
 
 namespace macula::settings {
@@ -20,27 +18,6 @@ struct Description {
   std::string help = {};   ///< one line
   std::string group = {};  ///< heading of panel and help; empty: the part of the key before its dot
 };
-
-/// Ties a setting to the field it sets. Made by the bindField() functions.
-struct Binding {
-  Type type = Type::Text;
-  std::function<Value()> get;
-  std::function<void(const Value&)> set;  ///< takes the alternative that belongs to `type`
-  Range limits = {};                      ///< what the field's own type can hold
-  bool singlePrecision = false;           ///< a Real whose field is a float
-};
-
-[[nodiscard]] Binding bindField(bool& field);
-[[nodiscard]] Binding bindField(int& field);
-[[nodiscard]] Binding bindField(std::uint32_t& field);
-[[nodiscard]] Binding bindField(std::int64_t& field);
-[[nodiscard]] Binding bindField(std::uint64_t& field);
-[[nodiscard]] Binding bindField(float& field);
-[[nodiscard]] Binding bindField(double& field);
-[[nodiscard]] Binding bindField(std::string& field);
-[[nodiscard]] Binding bindField(std::filesystem::path& field);
-[[nodiscard]] Binding bindField(glm::vec3& field);
-[[nodiscard]] Binding bindField(std::array<float, 3>& field);
 
 /// A registered setting. Panels and help read it; every way of setting it goes through set() or
 /// setText(), which check the value first and leave the field alone where it is refused.
@@ -78,10 +55,21 @@ class Entry {
   void setText(std::string_view text, std::string_view where);
 
  private:
-  /// The value as the field would hold it, or the reason why it cannot ("is out of range").
-  [[nodiscard]] std::variant<Value, std::string> checked(const Value& value) const;
-  [[noreturn]] void refuse(std::string_view where, std::string_view shown,
-                           std::string_view reason) const;
+  /// Why a value is not taken: the end of "'7' ...".
+  struct Refusal {
+    std::string reason;
+  };
+  /// The value as the field would hold it, or why it cannot.
+  using Checked = std::variant<Value, Refusal>;
+
+  [[nodiscard]] Checked check(const Value& value) const;
+  [[nodiscard]] Checked checkInt(const Value& value) const;
+  [[nodiscard]] Checked checkReal(const Value& value) const;
+  [[nodiscard]] Checked checkColour(const Value& value) const;
+  [[nodiscard]] Checked checkText(const Value& value) const;
+  [[nodiscard]] Checked parse(std::string_view text) const;
+  /// Sets, or throws with the value as it was `shown`.
+  void assign(const Checked& checked, std::string_view shown, std::string_view where);
 
   Description description_;
   Binding binding_;

@@ -24,7 +24,8 @@ class Registry {
   ~Registry() = default;
 
   /// Registers a field of any type that bindField() knows; its present value is the default.
-  ///   registry.add({.key = "oit.kAve", .alias = "k-ave", .unit = "fragments/pixel", .help = "..."},
+  ///   registry.add({.key = "oit.kAve", .alias = "k-ave", .unit = "fragments/pixel", .help =
+  ///   "..."},
   ///                settings.kAve, Range{.min = 0, .minExclusive = true, .max = 4096});
   template <typename Field>
   Entry& add(Description description, Field& field, Range range = {}) {

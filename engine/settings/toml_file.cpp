@@ -5,89 +5,16 @@
 #include <cmath>
 #include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/settings/toml_scan.h"
 
 namespace macula::settings {
 namespace {
 
 /// A file of settings or an experiment is a few kilobytes; this stops a wrong file early.
 constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
-
-/// Tables are freed recursively, one stack frame a level, and a.a.a.a... makes a level per part.
-/// With the parser's own limit of 256 nested values this bounds the depth to some thousands.
-constexpr int kMaxKeyParts = 32;
-
-/// Walks over text outside strings and comments, as far as that is needed to count key parts.
-class KeyScanner {
- public:
-  KeyScanner(std::string_view text, std::string_view name) : text_(text), name_(name) {}
-
-  void refuseLongKeys() {
-    int parts = 1;
-    while (at_ < text_.size()) {
-      const char c = text_[at_];
-      switch (c) {
-        case '"':
-        case '\'':
-          skipString(c);
-          continue;
-        case '#':
-          at_ = std::min(text_.find('\n', at_), text_.size());
-          continue;
-        case '.':
-          if (++parts > kMaxKeyParts) {
-            failInput("{}:{}: a key of more than {} parts; shorten it", name_, line_, kMaxKeyParts);
-          }
-          break;
-        case '\n':
-          ++line_;
-          [[fallthrough]];
-        case '=':
-        case ',':
-        case '[':
-        case ']':
-        case '{':
-        case '}':
-          parts = 1;
-          break;
-        default:
-          break;
-      }
-      ++at_;
-    }
-  }
-
- private:
-  void skipString(char quote) {
-    const std::string fence(3, quote);
-    const bool multiLine = text_.substr(at_, 3) == fence;
-    at_ += multiLine ? 3 : 1;
-    while (at_ < text_.size()) {
-      const char c = text_[at_];
-      if (c == '\n') {
-        if (!multiLine) return;  // unterminated: the parser will say so
-        ++line_;
-      }
-      if (c == '\\' && quote == '"' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') {
-        at_ += 2;
-      } else if (multiLine ? text_.substr(at_, 3) == fence : c == quote) {
-        at_ += multiLine ? 3 : 1;
-        return;
-      } else {
-        ++at_;
-      }
-    }
-  }
-
-  std::string_view text_;
-  std::string_view name_;
-  std::size_t at_ = 0;
-  int line_ = 1;
-};
 
 /// Applies one table and remembers which settings it has set.
 class Applier {
@@ -96,8 +23,8 @@ class Applier {
 
   void apply(const toml::table& table, const std::string& prefix) {
     for (const auto& [tomlKey, node] : table) {
-      const std::string key = prefix.empty() ? std::string(tomlKey.str())
-                                             : prefix + "." + std::string(tomlKey.str());
+      const std::string key =
+          prefix.empty() ? std::string(tomlKey.str()) : prefix + "." + std::string(tomlKey.str());
       if (const toml::table* inner = node.as_table()) {
         apply(*inner, key);
       } else {
@@ -164,7 +91,7 @@ toml::table parseToml(std::string_view text, std::string_view name) {
     failInput("{}: {} bytes are more than the {} that a TOML file may have; check the path", name,
               text.size(), kMaxTomlBytes);
   }
-  KeyScanner(text, name).refuseLongKeys();
+  scanToml(text, name);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

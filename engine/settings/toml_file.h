@@ -1,9 +1,9 @@
 // Settings from TOML 1.0 (toml++).
 #pragma once
 
+#include <toml++/toml.h>
 #include <filesystem>
 #include <string_view>
-#include <toml++/toml.h>
 
 #include "engine/settings/registry.h"
 
@@ -11,7 +11,7 @@ namespace macula::settings {
 
 /// Parses TOML text. @param name what to call the text in messages, usually its path
 /// @throws InputError "name:line:column: reason" for anything malformed, and for text that nests or
-/// weighs more than any settings file does (see kMaxKeyParts and kMaxTomlBytes in toml_file.cpp).
+/// weighs more than any settings file does (1 MiB; see also toml_scan.h).
 [[nodiscard]] toml::table parseToml(std::string_view text, std::string_view name);
 
 /// Sets every value of a table, to any depth: `[oit] kAve = 4`, `oit.kAve = 4` and the alias

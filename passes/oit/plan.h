@@ -37,8 +37,8 @@ struct OitPlan {
   const Method* method = nullptr;
   SyncMode sync = SyncMode::Spinlock;
   std::uint32_t slots = 1;                      ///< of the fragment pool
-  std::optional<std::uint64_t> budgetBytes;     ///< null for methods without a budget
-  ImportanceSettings importance;
+  std::optional<std::uint64_t> budgetBytes = {};     ///< null for methods without a budget
+  ImportanceSettings importance = {};
   float layerLimit = 1.0F;      ///< N_limit in use
   std::uint32_t seed = 1;
   bool factorMaps = false;      ///< importance factors are shown

@@ -13,4 +13,4 @@ uvec2 packColor(vec4 premultiplied) {
   return uvec2(packHalf2x16(premultiplied.rg), packHalf2x16(premultiplied.ba));
 }
 
-vec4 unpackColor(uvec2 packed) { return vec4(unpackHalf2x16(packed.x), unpackHalf2x16(packed.y)); }
+vec4 unpackColor(uvec2 color) { return vec4(unpackHalf2x16(color.x), unpackHalf2x16(color.y)); }

@@ -16,7 +16,7 @@ namespace macula::scene {
 namespace {
 
 constexpr int kDepthLimit = 22;  // maximum depth of the bottles scene of Vasilakis 2017, Table 2
-constexpr int kCountingSize = 512;
+constexpr int kCountingSize = 1024;  // pixels; the size at which the depth is promised
 constexpr float kTanHalfFov = 0.3F;
 constexpr int kRows = 7;
 constexpr int kColumns = 9;
@@ -25,6 +25,8 @@ constexpr float kRowStep = 0.13F;
 constexpr float kFrontRow = 0.36F;
 constexpr float kJitter = 0.018F;
 constexpr int kSegments = 48;
+constexpr float kWall = 0.0025F;
+constexpr float kBottom = 0.0075F;
 // Bottles stand this far above the table, so that their feet and the wood do not share a plane.
 constexpr float kFootGap = 0.001F;
 
@@ -52,29 +54,11 @@ const std::array<Profile, 4>& outlines() {
   return kOutlines;
 }
 
-/// Outer and inner wall as one closed surface: the inner wall follows the outer one at the
-/// thickness of the glass and ends in a bottom that is three times as thick.
-Primitive bottleMesh(const Profile& outer) {
-  constexpr float kWall = 0.0025F;
-  constexpr float kBottom = 0.0075F;
-  Profile profile = outer;
-  for (std::size_t i = outer.size() - 1; i > 0; --i) {
-    const glm::vec2& p = outer[i];
-    if (p.y < kBottom + outer.front().y && i + 1 < outer.size()) break;
-    profile.emplace_back(p.x - kWall, p.y);
-  }
-  profile.emplace_back(0.6F * profile.back().x, outer.front().y + kBottom);
-  profile.emplace_back(0.0F, outer.front().y + kBottom + 0.003F);
-  Primitive mesh;
-  addLathe(mesh, profile, kSegments);
-  return mesh;
-}
-
 void addTable(SceneBuilder& builder, std::uint64_t seed) {
   Material wood = plainMaterial("table", glm::vec4(1.0F), 0.45F);
   wood.baseColorTexture.image = builder.image(woodBoards(256, seed));
   Primitive table;
-  addBevelledBox(table, {-0.85F, -0.05F, -0.85F}, {0.85F, 0.0F, 0.65F}, 0.008F, 1.5F);
+  addBevelledBox(table, {-0.85F, -0.05F, -0.85F}, {0.85F, 0.0F, 0.95F}, 0.008F, 1.5F);
   builder.addOnce(std::move(table), builder.material(wood));
 
   const std::int32_t wall =
@@ -96,7 +80,9 @@ std::vector<std::uint32_t> addBottleShapes(SceneBuilder& builder) {
     const std::int32_t glass =
         builder.material(glassMaterial("glass " + std::to_string(t + 1), tints[t]));
     for (const Profile& outline : outlines()) {
-      shapes.push_back(builder.shape(bottleMesh(outline), glass));
+      Primitive mesh;
+      addVessel(mesh, outline, kWall, kBottom, kSegments);
+      shapes.push_back(builder.shape(std::move(mesh), glass));
     }
   }
   return shapes;

@@ -171,6 +171,19 @@ void addLathe(Primitive& mesh, std::span<const glm::vec2> profile, int segments)
   }
 }
 
+void addVessel(Primitive& mesh, std::span<const glm::vec2> outer, float wall, float bottom,
+               int segments) {
+  const float innerFoot = outer.front().y + bottom;
+  std::vector<glm::vec2> profile(outer.begin(), outer.end());
+  for (std::size_t i = outer.size() - 1; i > 0 && outer[i].y > innerFoot; --i) {
+    profile.emplace_back(outer[i].x - wall, outer[i].y);
+  }
+  // The inside is rounded where the wall meets the bottom, which rises a little in the middle.
+  profile.emplace_back(0.6F * profile.back().x, innerFoot);
+  profile.emplace_back(0.0F, innerFoot + 0.4F * bottom);
+  addLathe(mesh, profile, segments);
+}
+
 void addSphere(Primitive& mesh, const glm::vec3& center, float radius, int segments) {
   const int rings = std::max(segments / 2, 2);
   std::vector<glm::vec2> profile;

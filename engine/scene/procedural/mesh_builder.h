@@ -35,6 +35,12 @@ void addBevelledBox(Primitive& mesh, const glm::vec3& low, const glm::vec3& high
 /// @param segments around the axis, >= 3
 void addLathe(Primitive& mesh, std::span<const glm::vec2> profile, int segments);
 
+/// A hollow vessel about the y axis: outer and inner wall as one closed surface. The inner wall
+/// follows the outer one at the distance `wall` and ends in a bottom of thickness `bottom`.
+/// @param outer from the middle of the foot to the lip, (radius, y); radii above `wall`
+void addVessel(Primitive& mesh, std::span<const glm::vec2> outer, float wall, float bottom,
+               int segments);
+
 /// A sphere with `segments` around and half as many from pole to pole.
 void addSphere(Primitive& mesh, const glm::vec3& center, float radius, int segments);
 

@@ -1,0 +1,26 @@
+// Scenes as binary glTF 2.0 files (Khronos: The glTF 2.0 Specification, version 2.0.1).
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/scene/scene.h"
+
+namespace macula::scene {
+
+/// The bytes of a .glb file. Reading them with loadGltf gives the same triangles, materials,
+/// transforms, lights and cameras. Equal scenes give equal bytes.
+///
+/// One mesh for each primitive that is placed, so that instances share it; images are PNG. Tangents
+/// are written where the material has a normal texture. Extensions, only where used:
+/// KHR_lights_punctual, KHR_materials_unlit, _transmission, _volume, _emissive_strength. What glTF
+/// has no place for stands in extras: `macula_ambient` (linear RGB) of the scene,
+/// `macula_casts_shadow` of lights, `macula_target_distance` (metres) of camera nodes.
+/// @throws InputError where the file would pass 4 GiB, the format's limit
+[[nodiscard]] std::string glbBytes(const Scene& scene);
+
+/// Writes glbBytes to a file, all of it or nothing.
+/// @throws InputError where the file cannot be written
+void writeGlb(const Scene& scene, const std::filesystem::path& file);
+
+}  // namespace macula::scene

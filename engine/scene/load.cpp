@@ -1,0 +1,88 @@
+#include "engine/scene/load.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+#include "engine/scene/gltf_loader.h"
+#include "engine/scene/procedural/recipes.h"
+
+namespace macula::scene {
+namespace {
+
+constexpr std::string_view kLayersPrefix = "layers-";
+
+struct Recipe {
+  const char* name;
+  const char* description;
+  Scene (*make)(std::uint64_t seed);
+};
+
+constexpr Recipe kRecipes[] = {
+    {"gallery", "a furnished hall with glass, smoke and plants to walk in (the default)",
+     makeGallery},
+    {"smoke", "a plume of unlit smoke, at most 16 layers deep", makeSmoke},
+    {"bottles", "rows of lit glass bottles, at most 22 layers deep", makeBottles},
+};
+
+/// The N of "layers-N".
+int layerCount(const std::string& name) {
+  const std::string_view digits = std::string_view(name).substr(kLayersPrefix.size());
+  int n = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size() ||
+      error == std::errc::result_out_of_range || n < 1 || n > kMaxLayers) {
+    failInput("{}: '{}' is no number of layers; choose 1 to {}, for example layers-64", name,
+              digits, kMaxLayers);
+  }
+  return n;
+}
+
+bool isSceneFile(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".gltf" || extension == ".glb";
+}
+
+}  // namespace
+
+std::vector<RecipeInfo> recipes() {
+  std::vector<RecipeInfo> list;
+  for (const Recipe& recipe : kRecipes) list.push_back({recipe.name, recipe.description});
+  list.push_back({"layers-N",
+                  fmt::format("N unlit quads of equal weight that fill the view, N = 1 to {}",
+                              kMaxLayers)});
+  return list;
+}
+
+Scene loadScene(const std::string& nameOrPath, std::uint64_t seed) {
+  if (nameOrPath.empty()) {
+    failInput("the name of the scene is empty; name a .gltf or .glb file, or a scene of "
+              "'macula scene list'");
+  }
+  for (const Recipe& recipe : kRecipes) {
+    if (nameOrPath == recipe.name) return recipe.make(seed);
+  }
+  const std::filesystem::path path(nameOrPath);
+  if (isSceneFile(path)) return loadGltf(path);
+  if (nameOrPath.starts_with(kLayersPrefix)) return makeLayers(layerCount(nameOrPath), seed);
+
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    failInput("{}: is a folder; name a .gltf or .glb file in it", nameOrPath);
+  }
+  if (std::filesystem::exists(path, error)) {
+    failInput("{}: is no scene that Macula reads; name a .gltf or .glb file", nameOrPath);
+  }
+  std::vector<std::string> names;
+  for (const RecipeInfo& recipe : recipes()) names.push_back(recipe.name);
+  failInput("{}: no such scene or file; did you mean '{}'? 'macula scene list' names all scenes",
+            nameOrPath, nearestName(nameOrPath, names));
+}
+
+}  // namespace macula::scene

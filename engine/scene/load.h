@@ -1,0 +1,31 @@
+// Scenes by name: a file, or a recipe that computes one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace macula::scene {
+
+/// The procedural scene that is shown where none is named.
+inline constexpr const char* kDefaultScene = "gallery";
+
+/// A procedural scene for listing.
+struct RecipeInfo {
+  std::string name;  ///< as loadScene takes it; "layers-N" stands for layers-1, layers-2, ...
+  std::string description;  ///< one line
+};
+
+/// All procedural scenes.
+[[nodiscard]] std::vector<RecipeInfo> recipes();
+
+/// Computes a procedural scene or loads a glTF file.
+/// @param nameOrPath a name of recipes() or a path that ends in .gltf or .glb (in any case)
+/// @param seed of procedural scenes; files do not use it
+/// @throws InputError where it is neither, naming the most similar recipe, and where the file is
+///   missing or malformed
+[[nodiscard]] Scene loadScene(const std::string& nameOrPath, std::uint64_t seed);
+
+}  // namespace macula::scene

@@ -1,0 +1,117 @@
+// The real frame, checked without GL: order, work, folders.
+#include "passes/frame_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "engine/core/file.h"
+
+namespace macula::passes {
+namespace {
+
+std::vector<std::string> running(const frame::FrameList& list, const scene::SceneFacts& facts) {
+  std::vector<std::string> names;
+  for (const frame::PassReport& row : list.report(inputsOf(facts))) {
+    EXPECT_FALSE(row.reason.empty()) << row.name;
+    if (row.runs) names.emplace_back(row.name);
+  }
+  return names;
+}
+
+class EveryMethod : public testing::TestWithParam<const Method*> {};
+
+TEST_P(EveryMethod, FrameIsSound) {
+  RenderSettings settings;
+  for (const bool factors : {false, true}) {
+    settings.heatmap.map = factors ? "importance" : "none";
+    for (const SyncMode sync : {SyncMode::Spinlock, SyncMode::Ordered}) {
+      const OitPlan plan{.method = GetParam(), .sync = sync, .factorMaps = factors};
+      if (factors && !plan.method->hasBudget()) continue;
+      EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty())
+          << GetParam()->id;
+    }
+  }
+}
+
+std::vector<const Method*> allMethods() {
+  std::vector<const Method*> all;
+  for (const Method& method : methods()) all.push_back(&method);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(allMethods()),
+                         [](const auto& info) {
+                           std::string name(info.param->id);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
+  const RenderSettings settings;
+  const OitPlan variable{.method = &methodById("kb-variable")};
+  const frame::FrameList list = makeFrameList(settings, variable);
+  EXPECT_EQ(running(list, {}), (std::vector<std::string>{"tonemap"}));
+  EXPECT_EQ(running(list, {.opaqueTriangles = 1, .unlitOpaque = true, .shadowLight = true}),
+            (std::vector<std::string>{"gbuffer", "lighting", "tonemap"}))
+      << "an unlit scene draws no shadow map";
+  EXPECT_EQ(running(list, {.opaqueTriangles = 1, .litOpaque = true, .shadowLight = true}),
+            (std::vector<std::string>{"shadow", "gbuffer", "lighting", "tonemap"}));
+  EXPECT_EQ(running(list, {.transparentTriangles = 1}),
+            (std::vector<std::string>{"oit.count", "oit.importance", "oit.reserve", "oit.allocate",
+                                      "oit.capture", "oit.resolve", "tonemap"}));
+  const OitPlan blend{.method = &methodById("blend")};
+  EXPECT_EQ(running(makeFrameList(settings, blend), {.transparentTriangles = 1}),
+            (std::vector<std::string>{"oit.blend", "tonemap"}));
+}
+
+TEST(FrameList, ReleasesWhatAMethodDoesNotUse) {
+  const RenderSettings settings;
+  const OitPlan exact{.method = &methodById("ab-sbuffer")};
+  const auto needed = makeFrameList(settings, exact).neededResources(
+      inputsOf({.transparentTriangles = 1}));
+  EXPECT_THAT(needed, testing::Contains(frame::Resource::FragmentKeys));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::Importance)));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::FragmentLock)));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::ShadowMap)));
+}
+
+/// Includes of the sources in a folder, as "file: included".
+std::vector<std::string> includesOf(const std::string& folder) {
+  std::vector<std::string> found;
+  const std::regex include(R"re(#include\s+"([^"]+)")re");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           std::filesystem::path(MACULA_SOURCE_DIR) / folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".cpp" && extension != ".h") continue;
+    const std::string text = readTextFile(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+      found.push_back(entry.path().filename().string() + ": " + (*it)[1].str());
+    }
+  }
+  return found;
+}
+
+TEST(Rooms, TheEngineNeverIncludesPassesOrTools) {
+  const auto includes = includesOf("engine");
+  EXPECT_GT(includes.size(), 100U);
+  for (const std::string& line : includes) {
+    EXPECT_EQ(line.find(": passes/"), std::string::npos) << line;
+    EXPECT_EQ(line.find(": tools/"), std::string::npos) << line;
+  }
+}
+
+TEST(Rooms, APassNeverNamesAnotherPass) {
+  for (const std::string& line : includesOf("passes")) {
+    if (line.find("_pass.h") == std::string::npos) continue;
+    const std::string file = line.substr(0, line.find('.'));
+    // The list names all; the settings gather what passes declare as theirs.
+    if (file == "frame_list" || file == "render_settings") continue;
+    EXPECT_NE(line.find(file + ".h"), std::string::npos) << line;
+  }
+}
+
+}  // namespace
+}  // namespace macula::passes
