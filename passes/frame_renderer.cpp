@@ -21,6 +21,9 @@ constexpr float kFirstLayerLimit = 30.0F;
 /// First size of an exact method's pool, in slots a sample; it grows to what the frames need.
 constexpr std::uint64_t kFirstSlotsPerSample = 2;
 
+/// Fragments that heap sort and composition handle in 65,535 loop iterations: n log2 n + 3 n.
+constexpr std::uint32_t kDeepestBoundedSort = 4096;
+
 /// Room to spare when the pool of an exact method grows, so that a slow approach does not draw
 /// every frame twice.
 std::uint32_t grown(std::uint32_t needed) { return needed + needed / 8; }
@@ -178,7 +181,12 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) const {
     result.layers = LayerStatistics{~totals.kMinInverted, totals.kMax,
                                     static_cast<double>(totals.cursor) / totals.covered};
   }
-  result.exact = counts.lost == 0 && totals.cursor <= plan_.slots && plan_.sync != SyncMode::None;
+  // Where the device bounds loops, the sort of a deeper pixel would be cut short.
+  const bool sorts = plan_.method->insertion == Insertion::Appended;
+  const bool sortable = !sorts || machine_.capabilities.maxLoopIterations == 0 ||
+                        totals.countMax <= kDeepestBoundedSort;
+  result.exact = counts.lost == 0 && totals.cursor <= plan_.slots &&
+                 plan_.sync != SyncMode::None && sortable;
   return result;
 }
 

@@ -71,7 +71,8 @@ void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
 void FrameList::clearUnwritten(const Entry& entry, FrameResources& resources) {
   for (const Touch& touch : entry.touches) {
     const std::size_t i = indexOf(touch.resource);
-    const bool reads = touch.access == Access::Read || touch.access == Access::Modify;
+    const bool reads = touch.access == Access::Read || touch.access == Access::Modify ||
+                       touch.access == Access::Consume;
     if (!reads || written_[i] || infoOf(touch.resource).clear == ClearKind::Never) continue;
     if (dirty_[i]) resources.clear(touch.resource);
     dirty_[i] = false;

@@ -28,6 +28,7 @@ enum class Access : std::uint8_t {
   ReadHistory,  ///< as the last frame left it
   Write,        ///< overwritten; what it held before does not matter
   Modify,       ///< read and written
+  Consume,      ///< read, and left without a defined content
   Keep,         ///< written only when it changes; stays valid in later frames
 };
 
@@ -44,6 +45,7 @@ class PassDeclaration {
   void readsHistory(Resource r, Use use) { touches_.push_back({r, use, Access::ReadHistory}); }
   void writes(Resource r, Use use) { touches_.push_back({r, use, Access::Write}); }
   void modifies(Resource r, Use use) { touches_.push_back({r, use, Access::Modify}); }
+  void consumes(Resource r, Use use) { touches_.push_back({r, use, Access::Consume}); }
   void keeps(Resource r, Use use) { touches_.push_back({r, use, Access::Keep}); }
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
 

@@ -60,7 +60,7 @@ class Validator {
       }
       return;
     }
-    if (touch.access != Access::Read && touch.access != Access::Modify) return;
+    if (touch.access == Access::Write || touch.access == Access::Keep) return;
     if (s.writer.empty() && infoOf(touch.resource).clear == ClearKind::Never) {
       report("pass '{}' reads {}, which no earlier pass writes", pass.name, nameOf(touch.resource));
     }
@@ -70,6 +70,10 @@ class Validator {
   void visitWrite(const DeclaredPass& pass, const Touch& touch) {
     if (touch.access == Access::Read || touch.access == Access::ReadHistory) return;
     State& s = state(touch.resource);
+    if (touch.access == Access::Consume) {
+      s.writer = {};  // a later read finds nothing
+      return;
+    }
     if (touch.access == Access::Write && !s.writer.empty() && !s.read) {
       report("pass '{}' overwrites {} of pass '{}', which nobody has read", pass.name,
              nameOf(touch.resource), s.writer);

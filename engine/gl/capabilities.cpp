@@ -36,7 +36,11 @@ Capabilities readCapabilities() {
   c.maxSamples = integer(GL_MAX_SAMPLES);
   c.fragmentShaderInterlock = epoxy_has_gl_extension("GL_ARB_fragment_shader_interlock");
   c.timerQuery = true;  // core since 3.3; whether it tells the truth is for the time-source check
-  c.ordersFragmentsPerPixel = c.renderer.starts_with("llvmpipe");
+  if (c.renderer.starts_with("llvmpipe")) {
+    constexpr std::uint32_t kLlvmpipeLoopIterations = 65535;
+    c.ordersFragmentsPerPixel = true;
+    c.maxLoopIterations = kLlvmpipeLoopIterations;
+  }
   return c;
 }
 

@@ -16,33 +16,35 @@ using Clock = std::chrono::steady_clock;
 constexpr double kTolerance = 0.20;
 /// Below this a launch costs as much as the work, and the comparison says nothing.
 constexpr double kLeastMs = 4.0;
-constexpr int kFirstIterations = 256;
-constexpr int kMostIterations = 1 << 22;
-constexpr GLuint kGroups = 64;
+/// Loop iterations of a thread; well below the bound that some rasterisers put on loops.
+constexpr int kIterations = 4096;
+constexpr GLuint kGroupThreads = 64;  // as in shaders/time_source.comp
+constexpr GLuint kFirstGroups = 64;
+constexpr GLuint kMostGroups = 1U << 16U;
 
-void dispatch(GLuint program, int iterations, int times) {
+void dispatch(GLuint program, GLuint groups, int times) {
   glUseProgram(program);
-  glUniform1i(0, iterations);
+  glUniform1i(0, kIterations);
   for (int i = 0; i < times; ++i) {
-    glDispatchCompute(kGroups, 1, 1);
+    glDispatchCompute(groups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
 }
 
-double finishMs(GLuint program, int iterations, int times) {
+double finishMs(GLuint program, GLuint groups, int times) {
   glFinish();
   const auto begin = Clock::now();
-  dispatch(program, iterations, times);
+  dispatch(program, groups, times);
   glFinish();
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-double queryMs(GLuint program, int iterations, int times) {
+double queryMs(GLuint program, GLuint groups, int times) {
   GLuint id = 0;
   glCreateQueries(GL_TIME_ELAPSED, 1, &id);
   const QueryId query(id);
   glBeginQuery(GL_TIME_ELAPSED, id);
-  dispatch(program, iterations, times);
+  dispatch(program, groups, times);
   glEndQuery(GL_TIME_ELAPSED);
   GLuint64 nanoseconds = 0;
   glGetQueryObjectui64v(id, GL_QUERY_RESULT, &nanoseconds);
@@ -69,20 +71,20 @@ void judge(TimeSourceCheck& check) {
 
 TimeSourceCheck checkTimeSource(ProgramCache& programs) {
   const GLuint program = programs.get({{"time_source.comp"}, {}, {}});
-  const Buffer sink("time-source check", sizeof(GLuint) * kGroups * 64);
+  const Buffer sink("time-source check", sizeof(GLuint) * kMostGroups * kGroupThreads);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, sink.id());
-  int iterations = kFirstIterations;
-  finishMs(program, iterations, 1);  // compiles
-  while (finishMs(program, iterations, 1) < kLeastMs && iterations < kMostIterations) iterations *= 4;
+  GLuint groups = kFirstGroups;
+  finishMs(program, groups, 1);  // compiles
+  while (finishMs(program, groups, 1) < kLeastMs && groups < kMostGroups) groups *= 2;
   TimeSourceCheck check;
   for (std::size_t i = 0; i < check.kRepeats.size(); ++i) {
     // The least of three: other work on the machine only ever adds.
     constexpr int kTries = 3;
-    double leastFinish = finishMs(program, iterations, check.kRepeats[i]);
-    double leastQuery = queryMs(program, iterations, check.kRepeats[i]);
+    double leastFinish = finishMs(program, groups, check.kRepeats[i]);
+    double leastQuery = queryMs(program, groups, check.kRepeats[i]);
     for (int n = 1; n < kTries; ++n) {
-      leastFinish = std::min(leastFinish, finishMs(program, iterations, check.kRepeats[i]));
-      leastQuery = std::min(leastQuery, queryMs(program, iterations, check.kRepeats[i]));
+      leastFinish = std::min(leastFinish, finishMs(program, groups, check.kRepeats[i]));
+      leastQuery = std::min(leastQuery, queryMs(program, groups, check.kRepeats[i]));
     }
     check.finishMs[i] = leastFinish;
     check.queryMs[i] = leastQuery;

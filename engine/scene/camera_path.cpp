@@ -52,8 +52,8 @@ float framingDistance(const Scene& scene, const glm::vec3& center) {
     for (std::size_t k = 0; k < positions.size(); k += stride) {
       const glm::vec3 p = glm::vec3(instance.transform * glm::vec4(positions[k], 1.0F)) - center;
       for (const Axes& view : views) {
-        const float across = std::max(std::abs(glm::dot(p, view.right)),
-                                      std::abs(glm::dot(p, view.up)));
+        const float across =
+            std::max(std::abs(glm::dot(p, view.right)), std::abs(glm::dot(p, view.up)));
         distance = std::max(distance, across / tangent + glm::dot(p, view.back));
       }
     }
@@ -186,8 +186,7 @@ CameraPath autoOrbit(const Scene& scene) {
   const float radius = std::max(bounds.radius(), 1e-3F);
   CameraOrbit orbit;
   orbit.center = bounds.center();
-  const float distance =
-      kOrbitMargin * std::max(framingDistance(scene, orbit.center), radius);
+  const float distance = kOrbitMargin * std::max(framingDistance(scene, orbit.center), radius);
   orbit.radius = distance * std::cos(kOrbitElevation);
   orbit.height = distance * std::sin(kOrbitElevation);
   orbit.startAngle = kOrbitStart;
@@ -199,7 +198,9 @@ CameraPath autoOrbit(const Scene& scene) {
   return CameraPath(orbit);
 }
 
-CameraPath fixedCamera(const Camera& camera) { return CameraPath(camera); }
+CameraPath fixedCamera(const Camera& camera) {
+  return CameraPath(camera);
+}
 
 bool isCameraCut(const Camera& a, const Camera& b, float sceneRadius) {
   if (glm::distance(a.position, b.position) > kCutDistance * sceneRadius) return true;

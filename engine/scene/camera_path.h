@@ -28,11 +28,11 @@ struct CameraKey {
 
 /// A circle around a vertical axis, walked counter-clockwise seen from above.
 struct CameraOrbit {
-  Camera camera;             ///< field of view and planes; its position is ignored
-  glm::vec3 center{0.0F};    ///< looked at
-  float radius = 1.0F;       ///< metres, level
-  float height = 0.0F;       ///< metres above the centre
-  double startAngle = 0.0;   ///< radians; 0 is +z, a quarter turn is +x
+  Camera camera;            ///< field of view and planes; its position is ignored
+  glm::vec3 center{0.0F};   ///< looked at
+  float radius = 1.0F;      ///< metres, level
+  float height = 0.0F;      ///< metres above the centre
+  double startAngle = 0.0;  ///< radians; 0 is +z, a quarter turn is +x
 };
 
 /// A camera as a function of time.

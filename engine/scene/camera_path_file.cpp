@@ -12,8 +12,7 @@
 namespace macula::scene {
 namespace {
 
-constexpr std::string_view kHeader =
-    "time_s,x,y,z,target_x,target_y,target_z,vfov_deg,cut";
+constexpr std::string_view kHeader = "time_s,x,y,z,target_x,target_y,target_z,vfov_deg,cut";
 constexpr std::size_t kFields = 9;
 constexpr std::size_t kQuoted = 100;  // bytes of a damaged file that a message repeats at most
 constexpr double kDegrees = 180.0 / glm::pi<double>();

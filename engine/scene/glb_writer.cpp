@@ -25,7 +25,9 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 // The numbers are written as they lie in memory, and the format is little-endian.
 static_assert(std::endian::native == std::endian::little);
 
-GlbJson toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+GlbJson toJson(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 GlbJson toJson(const glm::mat4& m) {
   GlbJson values = GlbJson::array();
@@ -320,7 +322,9 @@ std::string GlbWriter::write() {
 
 }  // namespace
 
-std::string glbBytes(const Scene& scene) { return GlbWriter(scene).write(); }
+std::string glbBytes(const Scene& scene) {
+  return GlbWriter(scene).write();
+}
 
 void writeGlb(const Scene& scene, const std::filesystem::path& file) {
   writeFileAtomically(file, std::string_view(glbBytes(scene)));

@@ -54,16 +54,17 @@ bool isSceneFile(const std::filesystem::path& path) {
 std::vector<RecipeInfo> recipes() {
   std::vector<RecipeInfo> list;
   for (const Recipe& recipe : kRecipes) list.push_back({recipe.name, recipe.description});
-  list.push_back({"layers-N",
-                  fmt::format("N unlit quads of equal weight that fill the view, N = 1 to {}",
-                              kMaxLayers)});
+  list.push_back(
+      {"layers-N",
+       fmt::format("N unlit quads of equal weight that fill the view, N = 1 to {}", kMaxLayers)});
   return list;
 }
 
 Scene loadScene(const std::string& nameOrPath, std::uint64_t seed) {
   if (nameOrPath.empty()) {
-    failInput("the name of the scene is empty; name a .gltf or .glb file, or a scene of "
-              "'macula scene list'");
+    failInput(
+        "the name of the scene is empty; name a .gltf or .glb file, or a scene of "
+        "'macula scene list'");
   }
   for (const Recipe& recipe : kRecipes) {
     if (nameOrPath == recipe.name) return recipe.make(seed);

@@ -47,9 +47,9 @@ Entry::Entry(Description description, Binding binding, Range range,
   if (description_.group.empty()) {
     description_.group = description_.key.substr(0, description_.key.find('.'));
   }
-  if (const auto result = check(default_); const auto* refusal = std::get_if<Refusal>(&result)) {
+  if (const Checked checked = check(default_); !checked.refusal.empty()) {
     throw std::logic_error("the default of setting '" + key() + "', '" + formatValue(default_) +
-                           "', " + refusal->reason);
+                           "', " + checked.refusal);
   }
 }
 
@@ -81,11 +81,11 @@ std::string Entry::allowed() const {
 
 Entry::Checked Entry::checkInt(const Value& value) const {
   const auto* number = std::get_if<std::int64_t>(&value);
-  if (number == nullptr) return Refusal{"is not a whole number"};
+  if (number == nullptr) return {.refusal = "is not a whole number"};
   const bool listed = choices_.empty() || std::find(choices_.begin(), choices_.end(),
                                                     formatValue(value)) != choices_.end();
-  if (!listed || !range_.holds(static_cast<double>(*number))) return Refusal{kOutOfRange};
-  return value;
+  if (!listed || !range_.holds(static_cast<double>(*number))) return {.refusal = kOutOfRange};
+  return {.value = value};
 }
 
 Entry::Checked Entry::checkReal(const Value& value) const {
@@ -95,47 +95,48 @@ Entry::Checked Entry::checkReal(const Value& value) const {
   } else if (const auto* real = std::get_if<double>(&value)) {
     number = *real;
   } else {
-    return Refusal{"is not a number"};
+    return {.refusal = "is not a number"};
   }
   if (binding_.singlePrecision && std::isfinite(number)) {
     // Checked as the field will hold it: rounding to float may cross an exclusive bound.
-    if (std::abs(number) > std::numeric_limits<float>::max()) return Refusal{kOutOfRange};
+    if (std::abs(number) > std::numeric_limits<float>::max()) return {.refusal = kOutOfRange};
     number = shortestDouble(static_cast<float>(number));
   }
-  if (!range_.holds(number)) return Refusal{kOutOfRange};
-  return Value{number};
+  if (!range_.holds(number)) return {.refusal = kOutOfRange};
+  return {.value = number};
 }
 
 Entry::Checked Entry::checkColour(const Value& value) const {
   const auto* colour = std::get_if<glm::vec3>(&value);
-  if (colour == nullptr) return Refusal{"is not a colour"};
+  if (colour == nullptr) return {.refusal = "is not a colour"};
   for (int i = 0; i < 3; ++i) {
     const float component = (*colour)[i];
     if (!std::isfinite(component) || !range_.holds(shortestDouble(component))) {
-      return Refusal{kOutOfRange};
+      return {.refusal = kOutOfRange};
     }
   }
-  return value;
+  return {.value = value};
 }
 
 Entry::Checked Entry::checkText(const Value& value) const {
   const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return Refusal{"is not text"};
+  if (text == nullptr) return {.refusal = "is not text"};
   if (type() == Type::Choice) {
-    if (std::find(choices_.begin(), choices_.end(), *text) != choices_.end()) return value;
+    if (std::find(choices_.begin(), choices_.end(), *text) != choices_.end())
+      return {.value = value};
     const std::string_view shown = std::string_view(*text).substr(0, kShownCharacters);
-    return Refusal{"is not known (nearest: '" + nearestName(shown, choices_) + "')"};
+    return {.refusal = "is not known (nearest: '" + nearestName(shown, choices_) + "')"};
   }
   // The operating system would cut a path there.
-  if (text->find('\0') != std::string::npos) return Refusal{"holds a zero byte"};
-  return value;
+  if (text->find('\0') != std::string::npos) return {.refusal = "holds a zero byte"};
+  return {.value = value};
 }
 
 Entry::Checked Entry::check(const Value& value) const {
   switch (type()) {
     case Type::Bool:
-      if (!std::holds_alternative<bool>(value)) return Refusal{"is neither on nor off"};
-      return value;
+      if (!std::holds_alternative<bool>(value)) return {.refusal = "is neither on nor off"};
+      return {.value = value};
     case Type::Int:
       return checkInt(value);
     case Type::Real:
@@ -154,16 +155,16 @@ Entry::Checked Entry::parse(std::string_view text) const {
   switch (type()) {
     case Type::Bool:
       if (const auto flag = parseBool(text)) return check(*flag);
-      return Refusal{"is neither on nor off"};
+      return {.refusal = "is neither on nor off"};
     case Type::Int:
       if (const auto number = parseInt(text)) return check(*number);
-      return Refusal{"is not a whole number"};
+      return {.refusal = "is not a whole number"};
     case Type::Real:
       if (const auto number = parseReal(text)) return check(*number);
-      return Refusal{"is not a finite number"};
+      return {.refusal = "is not a finite number"};
     case Type::Colour:
       if (const auto colour = parseColour(text)) return check(*colour);
-      return Refusal{"is not three finite numbers"};
+      return {.refusal = "is not three finite numbers"};
     case Type::Choice:
     case Type::Text:
     case Type::Path:
@@ -173,12 +174,12 @@ Entry::Checked Entry::parse(std::string_view text) const {
 }
 
 void Entry::assign(const Checked& checked, std::string_view shown, std::string_view where) {
-  if (const auto* refusal = std::get_if<Refusal>(&checked)) {
+  if (!checked.refusal.empty()) {
     failInput("{}: '{}{}' {}; {} takes {}{}", where, shown.substr(0, kShownCharacters),
-              shown.size() > kShownCharacters ? "..." : "", refusal->reason, key(), allowed(),
+              shown.size() > kShownCharacters ? "..." : "", checked.refusal, key(), allowed(),
               unit().empty() ? "" : " (" + unit() + ")");
   }
-  binding_.set(std::get<Value>(checked));
+  binding_.set(checked.value);
 }
 
 void Entry::set(const Value& value, std::string_view where) {

@@ -55,12 +55,11 @@ class Entry {
   void setText(std::string_view text, std::string_view where);
 
  private:
-  /// Why a value is not taken: the end of "'7' ...".
-  struct Refusal {
-    std::string reason;
+  /// A value as the field would hold it, or why it cannot: the end of "'7' ...".
+  struct Checked {
+    Value value = false;
+    std::string refusal = {};  ///< empty where the value is taken
   };
-  /// The value as the field would hold it, or why it cannot.
-  using Checked = std::variant<Value, Refusal>;
 
   [[nodiscard]] Checked check(const Value& value) const;
   [[nodiscard]] Checked checkInt(const Value& value) const;

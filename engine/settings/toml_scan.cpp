@@ -111,6 +111,7 @@ class Scanner {
         if (!multiLine) return;  // unterminated: the parser will say so
         ++line_;
       }
+      if (c == '\\' && quote == '"') refuseLetterAfterBackslash();
       if (c == '\\' && quote == '"' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n') {
         at_ += 2;
       } else if (!multiLine && c == quote) {
@@ -124,6 +125,16 @@ class Scanner {
       } else {
         ++at_;
       }
+    }
+  }
+
+  /// A backslash may stand before the blanks at a line's end, in which the parser looks for
+  /// letters.
+  void refuseLetterAfterBackslash() const {
+    const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
+    if (next != std::string_view::npos && static_cast<unsigned char>(text_[next]) > 0x7F) {
+      failInput("{}:{}: a letter beyond ASCII right after a backslash; put another one between",
+                name_, line_);
     }
   }
 

@@ -11,7 +11,8 @@ namespace macula::settings {
 ///   bounds the depth to some thousands.
 /// - characters beyond ASCII outside strings and comments, and quotes, brackets and equals signs in
 ///   the middle of a word, behind which the parser would take a string for more of that word (TOML
-///   1.0 has neither): its test for blanks is undefined for many of those characters.
+///   1.0 has neither), and the former right after a backslash: its test for blanks is undefined for
+///   many of those characters.
 /// Other mistakes are left to the parser.
 /// @param name what to call the text in messages
 /// @throws InputError "name:line: ..."

@@ -18,8 +18,13 @@ void ResolvePass::declare(frame::PassDeclaration& d) const {
   if (!plan_.method->stores()) return;
   d.reads(Resource::FragmentRange, Use::Texture);
   d.reads(Resource::FragmentFill, Use::Texture);
-  d.reads(Resource::FragmentKeys, Use::Storage);
-  d.reads(Resource::FragmentColors, Use::Storage);
+  if (plan_.method->insertion == Insertion::Sorted) {
+    d.reads(Resource::FragmentKeys, Use::Storage);
+    d.reads(Resource::FragmentColors, Use::Storage);
+  } else {  // deep pixels are sorted in place
+    d.consumes(Resource::FragmentKeys, Use::Storage);
+    d.consumes(Resource::FragmentColors, Use::Storage);
+  }
   d.modifies(Resource::HdrColor, Use::Image);
 }
 

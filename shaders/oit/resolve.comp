@@ -8,8 +8,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = TEX_INPUT0) uniform usampler2D fragmentRange;
 layout(binding = TEX_INPUT1) uniform usampler2D fragmentFill;
 layout(rgba16f, binding = IMG_0) uniform image2D hdrColor;
-layout(std430, binding = SSBO_FRAGMENT_KEYS) readonly buffer Keys { uvec2 keys[]; };
-layout(std430, binding = SSBO_FRAGMENT_COLORS) readonly buffer Colors { uvec2 colors[]; };
+#ifdef SORTED
+#define SORTED_IN_PLACE readonly
+#else
+#define SORTED_IN_PLACE
+#endif
+layout(std430, binding = SSBO_FRAGMENT_KEYS) SORTED_IN_PLACE buffer Keys { uvec2 keys[]; };
+layout(std430, binding = SSBO_FRAGMENT_COLORS) SORTED_IN_PLACE buffer Colors { uvec2 colors[]; };
 
 struct Composite {
   vec3 color;
@@ -45,22 +50,34 @@ void compositeUnder(inout Composite c, uint slot) {
 DEFINE_SORT(compositeSmall, SORT_SMALL)
 DEFINE_SORT(compositeLarge, SORT_LARGE)
 
-/// Finds the next fragment again and again: slow, without a bound on n. Keys are unique.
-void compositeBySelection(inout Composite c, uint begin, uint n) {
-  uvec2 last = uvec2(0u);
-  for (uint i = 0u; i < n; ++i) {
-    uvec2 best = uvec2(0xFFFFFFFFu);
-    uint slot = begin;
-    for (uint j = 0u; j < n; ++j) {
-      uvec2 key = keys[begin + j];
-      if ((i == 0u || isNearer(last, key)) && !isNearer(best, key)) {
-        best = key;
-        slot = begin + j;
-      }
-    }
-    compositeUnder(c, slot);
-    last = best;
+void swapSlots(uint a, uint b) {
+  uvec2 key = keys[a];
+  uvec2 color = colors[a];
+  keys[a] = keys[b];
+  colors[a] = colors[b];
+  keys[b] = key;
+  colors[b] = color;
+}
+
+/// Restores the heap of n slots (the farthest on top) below `node`.
+void siftDown(uint begin, uint node, uint n) {
+  for (uint child = 2u * node + 1u; child < n; child = 2u * node + 1u) {
+    if (child + 1u < n && isNearer(keys[begin + child], keys[begin + child + 1u])) ++child;
+    if (!isNearer(keys[begin + node], keys[begin + child])) return;
+    swapSlots(begin + node, begin + child);
+    node = child;
   }
+}
+
+/// Heap sort in place (Williams 1964): no array, and n log n steps, because a software rasteriser
+/// ends a shader's loops after 65,535 of them.
+void compositeDeep(inout Composite c, uint begin, uint n) {
+  for (uint node = n / 2u; node > 0u; --node) siftDown(begin, node - 1u, n);
+  for (uint last = n - 1u; last > 0u; --last) {
+    swapSlots(begin, begin + last);
+    siftDown(begin, 0u, last);
+  }
+  for (uint i = 0u; i < n; ++i) compositeUnder(c, begin + i);
 }
 #endif
 
@@ -79,7 +96,7 @@ void main() {
   } else if (n <= SORT_LARGE) {
     compositeLarge(c, range.x, n);
   } else {
-    compositeBySelection(c, range.x, n);
+    compositeDeep(c, range.x, n);
   }
 #endif
   vec3 behind = imageLoad(hdrColor, p).rgb;

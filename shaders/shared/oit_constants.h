@@ -15,10 +15,10 @@
 
 // Tries for a spin lock. A pixel's contenders are the fragments in flight over it, some thousands
 // at the most; each holds the lock for one insertion.
-#define LOCK_BOUND 65536
+#define LOCK_BOUND 32768
 
 // Fragments of one pixel that the resolve sorts in registers or local memory; deeper pixels are
-// resolved by repeated selection, which needs no array.
+// sorted in place, which needs no array.
 #define SORT_SMALL 16
 #define SORT_LARGE 128
 

@@ -91,7 +91,8 @@ void drawTriangle(const PlainView& view, const std::array<ClipVertex, 3>& corner
     for (int x = std::max(0, pixel(x0, view.width)); x <= pixel(x1, view.width - 1); ++x) {
       const glm::dvec2 c{x + 0.5, y + 0.5};
       const glm::dvec3 w = glm::dvec3(cross(p[2] - p[1], c - p[1]), cross(p[0] - p[2], c - p[2]),
-                                      cross(p[1] - p[0], c - p[0])) / area;
+                                      cross(p[1] - p[0], c - p[0])) /
+                           area;
       // A centre exactly on an edge belongs to both triangles: rare, and at most one too many.
       if (w.x < 0.0 || w.y < 0.0 || w.z < 0.0) continue;
       const glm::dvec3 overZ =
@@ -108,7 +109,8 @@ void drawTriangle(const PlainView& view, const std::array<ClipVertex, 3>& corner
 /// Calls `visit(instance, index of the triangle's first index, Hit)` for everything that
 /// `choose(material)` picks.
 template <typename Choose, typename Visit>
-void drawScene(const Scene& scene, const PlainView& view, const Choose& choose, const Visit& visit) {
+void drawScene(const Scene& scene, const PlainView& view, const Choose& choose,
+               const Visit& visit) {
   std::vector<glm::dvec3> points;
   for (const Instance& instance : scene.instances) {
     const Primitive& mesh = scene.primitives[instance.primitive];
@@ -116,8 +118,7 @@ void drawScene(const Scene& scene, const PlainView& view, const Choose& choose, 
     if (!choose(material)) continue;
     points.clear();
     for (const glm::vec3& position : mesh.positions) {
-      points.push_back(
-          view.toView(glm::dvec3(instance.transform * glm::vec4(position, 1.0F))));
+      points.push_back(view.toView(glm::dvec3(instance.transform * glm::vec4(position, 1.0F))));
     }
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       std::array<ClipVertex, 3> corners;
@@ -147,15 +148,17 @@ inline DepthCounts countTransparent(const Scene& scene, const Camera& camera, in
   const auto at = [size](const Hit& hit) { return static_cast<std::size_t>(hit.y * size + hit.x); };
   const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   std::vector<double> opaque(pixels, std::numeric_limits<double>::infinity());
-  drawScene(scene, view, [](const Material& m) { return !m.isTransparent(); },
-            [&](const Instance&, std::size_t, const Hit& hit) {
-              opaque[at(hit)] = std::min(opaque[at(hit)], hit.depth);
-            });
+  drawScene(
+      scene, view, [](const Material& m) { return !m.isTransparent(); },
+      [&](const Instance&, std::size_t, const Hit& hit) {
+        opaque[at(hit)] = std::min(opaque[at(hit)], hit.depth);
+      });
   std::vector<int> counts(pixels, 0);
-  drawScene(scene, view, [](const Material& m) { return m.isTransparent(); },
-            [&](const Instance&, std::size_t, const Hit& hit) {
-              if (hit.depth < opaque[at(hit)]) ++counts[at(hit)];
-            });
+  drawScene(
+      scene, view, [](const Material& m) { return m.isTransparent(); },
+      [&](const Instance&, std::size_t, const Hit& hit) {
+        if (hit.depth < opaque[at(hit)]) ++counts[at(hit)];
+      });
   DepthCounts result;
   for (const int count : counts) {
     result.maximum = std::max(result.maximum, count);

@@ -113,11 +113,22 @@ TEST_F(TomlTest, DeepAndLargeTextIsRefusedBeforeItCosts) {
   EXPECT_NE(messageOf(std::string(2 << 20, '#')).find("more than"), std::string::npos);
 }
 
+TEST_F(TomlTest, TheDeepestTextThatPassesIsFreedWithoutHarm) {
+  std::string key = "a";
+  for (int i = 1; i < 32; ++i) key += ".a";
+  std::string text;
+  for (int i = 0; i < 250; ++i) text += key + " = { ";
+  text += "b = 1" + std::string(250, '}');
+  EXPECT_NE(messageOf(text).find("unknown setting"), std::string::npos);
+}
+
 TEST_F(TomlTest, LettersBeyondAsciiBelongInQuotes) {
   const std::string letter = "\xCA\x9B";  // U+029B, for which the parser has no answer
   EXPECT_EQ(messageOf("\na" + letter + " = 1"),
             "x.toml:2: a letter beyond ASCII outside quotes; put quotes around it");
   EXPECT_NE(messageOf("\"" + letter + "\" = 1").find("unknown setting"), std::string::npos);
+  EXPECT_NE(messageOf("a = \"\"\"\\ \n " + letter + "\"\"\"").find("after a backslash"),
+            std::string::npos);
   EXPECT_EQ(messageOf("# " + letter + "\nssaa = 2"), "no error");
   EXPECT_EQ(messageOf("\xEF\xBB\xBFssaa = 2"), "no error");
 }

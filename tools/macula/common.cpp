@@ -49,7 +49,11 @@ LoadedScene loadForRendering(const std::string& nameOrPath, const passes::Render
 
 scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
   if (spec == "auto") return scene::autoOrbit(scene);
-  if (spec != "scene") return scene::readCameraPath(spec);
+  if (spec != "scene") {
+    scene::CameraPath path = scene::readCameraPath(spec);
+    path.fitPlanes(scene::boundsOf(scene));
+    return path;
+  }
   if (scene.cameras.empty()) {
     failInput("--camera: {} holds no camera; use auto or a path file", scene.name);
   }

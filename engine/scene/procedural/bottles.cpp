@@ -34,23 +34,59 @@ constexpr float kFootGap = 0.001F;
 using Profile = std::vector<glm::vec2>;
 
 const std::array<Profile, 4>& outlines() {
-  static const std::array<Profile, 4> kOutlines{
-      // Wine: straight sides, high shoulders.
-      Profile{{0.0F, 0.006F}, {0.030F, 0.0F}, {0.036F, 0.004F}, {0.038F, 0.012F}, {0.038F, 0.19F},
-              {0.036F, 0.205F}, {0.029F, 0.222F}, {0.019F, 0.236F}, {0.0145F, 0.25F},
-              {0.0135F, 0.295F}, {0.0155F, 0.297F}, {0.0155F, 0.308F}, {0.0135F, 0.311F}},
-      // Flask: a round belly.
-      Profile{{0.0F, 0.004F}, {0.024F, 0.0F}, {0.034F, 0.006F}, {0.047F, 0.032F}, {0.052F, 0.060F},
-              {0.048F, 0.088F}, {0.036F, 0.112F}, {0.021F, 0.130F}, {0.0150F, 0.146F},
-              {0.0145F, 0.190F}, {0.018F, 0.194F}, {0.018F, 0.202F}, {0.0155F, 0.205F}},
-      // Carafe: wide foot, drawn-in waist.
-      Profile{{0.0F, 0.005F}, {0.040F, 0.0F}, {0.048F, 0.006F}, {0.049F, 0.020F}, {0.045F, 0.065F},
-              {0.034F, 0.120F}, {0.022F, 0.170F}, {0.018F, 0.200F}, {0.020F, 0.225F},
-              {0.028F, 0.250F}, {0.0295F, 0.254F}, {0.028F, 0.256F}},
-      // Jar: short and square-shouldered.
-      Profile{{0.0F, 0.004F}, {0.036F, 0.0F}, {0.043F, 0.005F}, {0.045F, 0.014F}, {0.045F, 0.110F},
-              {0.041F, 0.122F}, {0.031F, 0.130F}, {0.029F, 0.140F}, {0.033F, 0.143F},
-              {0.033F, 0.152F}, {0.030F, 0.155F}}};
+  static const std::array<Profile, 4> kOutlines{// Wine: straight sides, high shoulders.
+                                                Profile{{0.0F, 0.006F},
+                                                        {0.030F, 0.0F},
+                                                        {0.036F, 0.004F},
+                                                        {0.038F, 0.012F},
+                                                        {0.038F, 0.19F},
+                                                        {0.036F, 0.205F},
+                                                        {0.029F, 0.222F},
+                                                        {0.019F, 0.236F},
+                                                        {0.0145F, 0.25F},
+                                                        {0.0135F, 0.295F},
+                                                        {0.0155F, 0.297F},
+                                                        {0.0155F, 0.308F},
+                                                        {0.0135F, 0.311F}},
+                                                // Flask: a round belly.
+                                                Profile{{0.0F, 0.004F},
+                                                        {0.024F, 0.0F},
+                                                        {0.034F, 0.006F},
+                                                        {0.047F, 0.032F},
+                                                        {0.052F, 0.060F},
+                                                        {0.048F, 0.088F},
+                                                        {0.036F, 0.112F},
+                                                        {0.021F, 0.130F},
+                                                        {0.0150F, 0.146F},
+                                                        {0.0145F, 0.190F},
+                                                        {0.018F, 0.194F},
+                                                        {0.018F, 0.202F},
+                                                        {0.0155F, 0.205F}},
+                                                // Carafe: wide foot, drawn-in waist.
+                                                Profile{{0.0F, 0.005F},
+                                                        {0.040F, 0.0F},
+                                                        {0.048F, 0.006F},
+                                                        {0.049F, 0.020F},
+                                                        {0.045F, 0.065F},
+                                                        {0.034F, 0.120F},
+                                                        {0.022F, 0.170F},
+                                                        {0.018F, 0.200F},
+                                                        {0.020F, 0.225F},
+                                                        {0.028F, 0.250F},
+                                                        {0.0295F, 0.254F},
+                                                        {0.028F, 0.256F}},
+                                                // Jar: short and square-shouldered.
+                                                Profile{{0.0F, 0.004F},
+                                                        {0.036F, 0.0F},
+                                                        {0.043F, 0.005F},
+                                                        {0.045F, 0.014F},
+                                                        {0.045F, 0.110F},
+                                                        {0.041F, 0.122F},
+                                                        {0.031F, 0.130F},
+                                                        {0.029F, 0.140F},
+                                                        {0.033F, 0.143F},
+                                                        {0.033F, 0.152F},
+                                                        {0.030F, 0.155F}}};
   return kOutlines;
 }
 
@@ -133,8 +169,8 @@ Scene makeBottles(std::uint64_t seed) {
   builder.light(sun({-0.6F, -0.75F, -0.45F}, {1.0F, 0.95F, 0.86F}, 2.6F));
   builder.light(pointLight({-0.9F, 0.7F, 0.6F}, {0.55F, 0.72F, 1.0F}, 1.0F, 6.0F));
   builder.light(pointLight({0.8F, 0.5F, -0.7F}, {1.0F, 0.62F, 0.32F}, 0.9F, 6.0F));
-  builder.light(spotLight({0.0F, 1.6F, -0.4F}, {0.0F, 0.0F, 0.0F}, {1.0F, 0.97F, 0.92F}, 2.5F,
-                          0.6F));
+  builder.light(
+      spotLight({0.0F, 1.6F, -0.4F}, {0.0F, 0.0F, 0.0F}, {1.0F, 0.97F, 0.92F}, 2.5F, 0.6F));
   builder.ambient({0.16F, 0.17F, 0.19F});
   return std::move(builder).finish();
 }

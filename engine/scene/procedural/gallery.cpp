@@ -40,8 +40,8 @@ void addLights(SceneBuilder& builder) {
   builder.light(sun({-0.76F, -0.60F, -0.24F}, {1.0F, 0.86F, 0.66F}, 9.0F));
   builder.light(pointLight({0.0F, 4.1F, 4.0F}, kLamp, 9.0F, 14.0F));
   builder.light(pointLight({0.0F, 4.1F, -6.0F}, kLamp, 9.0F, 14.0F));
-  builder.light(pointLight(kBowlPlace + glm::vec3(0.0F, 1.25F, 0.0F), {1.0F, 0.42F, 0.14F}, 2.5F,
-                           6.0F));
+  builder.light(
+      pointLight(kBowlPlace + glm::vec3(0.0F, 1.25F, 0.0F), {1.0F, 0.42F, 0.14F}, 2.5F, 6.0F));
   // Daylight that the windows scatter into the room, from their middle.
   builder.light(pointLight({5.2F, 3.4F, 0.0F}, {0.60F, 0.78F, 1.0F}, 8.0F, 16.0F));
   builder.light(spotLight({-3.6F, 5.0F, 0.0F}, {-6.0F, 2.2F, 0.0F}, kLamp, 22.0F, 0.6F));

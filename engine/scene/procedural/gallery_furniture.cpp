@@ -78,8 +78,7 @@ void addSculptures(SceneBuilder& builder, const Palette& palette) {
     const float reach = 0.24F * (1.0F - 0.07F * static_cast<float>(i));
     for (int k = 0; k <= 8; ++k) {
       const glm::vec2 turned = onCircle(0.5 * k / 8.0);
-      profile.emplace_back(0.07F + (reach - 0.07F) * turned.y,
-                           foot + 0.0425F * (1.0F - turned.x));
+      profile.emplace_back(0.07F + (reach - 0.07F) * turned.y, foot + 0.0425F * (1.0F - turned.x));
     }
   }
   profile.emplace_back(0.0F, 0.77F);
@@ -155,8 +154,7 @@ Model chandelierModel(SceneBuilder& builder, const Palette& palette) {
   }
   Material bulb = plainMaterial("bulb", {1.0F, 0.9F, 0.7F, 1.0F}, 0.5F);
   bulb.emissive = {6.0F, 4.4F, 2.6F};
-  const std::int32_t globe =
-      builder.material(glassMaterial("globe", {0.95F, 0.90F, 0.80F, 0.18F}));
+  const std::int32_t globe = builder.material(glassMaterial("globe", {0.95F, 0.90F, 0.80F, 0.18F}));
   return {builder.shape(std::move(metal), palette.brass),
           builder.shape(std::move(bulbs), builder.material(bulb)),
           builder.shape(std::move(globes), globe)};

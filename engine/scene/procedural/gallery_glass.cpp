@@ -28,8 +28,9 @@ Profile smoothed(const Profile& points) {
     const glm::vec2 d = points[i + 2 < points.size() ? i + 2 : i + 1];
     for (int k = 0; k < kCuts; ++k) {
       const float t = static_cast<float>(k) / kCuts;
-      const glm::vec2 p = 0.5F * (2.0F * b + (c - a) * t + (2.0F * a - 5.0F * b + 4.0F * c - d) *
-                                  (t * t) + (3.0F * (b - c) + d - a) * (t * t * t));
+      const glm::vec2 p =
+          0.5F * (2.0F * b + (c - a) * t + (2.0F * a - 5.0F * b + 4.0F * c - d) * (t * t) +
+                  (3.0F * (b - c) + d - a) * (t * t * t));
       out.emplace_back(std::max(p.x, 0.0F), p.y);
     }
   }
@@ -40,15 +41,42 @@ Profile smoothed(const Profile& points) {
 
 /// The vases: one shape for each outline and tint.
 std::vector<std::uint32_t> vaseShapes(SceneBuilder& builder) {
-  const std::array<Profile, 4> outlines{
-      Profile{{0.0F, 0.012F}, {0.055F, 0.0F}, {0.075F, 0.02F}, {0.105F, 0.11F}, {0.115F, 0.19F},
-              {0.085F, 0.29F}, {0.048F, 0.36F}, {0.042F, 0.42F}, {0.06F, 0.46F}, {0.062F, 0.465F}},
-      Profile{{0.0F, 0.012F}, {0.05F, 0.0F}, {0.056F, 0.03F}, {0.05F, 0.16F}, {0.055F, 0.30F},
-              {0.075F, 0.42F}, {0.10F, 0.50F}, {0.102F, 0.505F}},
-      Profile{{0.0F, 0.012F}, {0.07F, 0.0F}, {0.12F, 0.04F}, {0.15F, 0.11F}, {0.145F, 0.18F},
-              {0.11F, 0.235F}, {0.09F, 0.25F}, {0.095F, 0.27F}, {0.097F, 0.275F}},
-      Profile{{0.0F, 0.012F}, {0.045F, 0.0F}, {0.06F, 0.015F}, {0.03F, 0.06F}, {0.026F, 0.14F},
-              {0.05F, 0.20F}, {0.11F, 0.27F}, {0.17F, 0.31F}, {0.174F, 0.315F}}};
+  const std::array<Profile, 4> outlines{Profile{{0.0F, 0.012F},
+                                                {0.055F, 0.0F},
+                                                {0.075F, 0.02F},
+                                                {0.105F, 0.11F},
+                                                {0.115F, 0.19F},
+                                                {0.085F, 0.29F},
+                                                {0.048F, 0.36F},
+                                                {0.042F, 0.42F},
+                                                {0.06F, 0.46F},
+                                                {0.062F, 0.465F}},
+                                        Profile{{0.0F, 0.012F},
+                                                {0.05F, 0.0F},
+                                                {0.056F, 0.03F},
+                                                {0.05F, 0.16F},
+                                                {0.055F, 0.30F},
+                                                {0.075F, 0.42F},
+                                                {0.10F, 0.50F},
+                                                {0.102F, 0.505F}},
+                                        Profile{{0.0F, 0.012F},
+                                                {0.07F, 0.0F},
+                                                {0.12F, 0.04F},
+                                                {0.15F, 0.11F},
+                                                {0.145F, 0.18F},
+                                                {0.11F, 0.235F},
+                                                {0.09F, 0.25F},
+                                                {0.095F, 0.27F},
+                                                {0.097F, 0.275F}},
+                                        Profile{{0.0F, 0.012F},
+                                                {0.045F, 0.0F},
+                                                {0.06F, 0.015F},
+                                                {0.03F, 0.06F},
+                                                {0.026F, 0.14F},
+                                                {0.05F, 0.20F},
+                                                {0.11F, 0.27F},
+                                                {0.17F, 0.31F},
+                                                {0.174F, 0.315F}}};
   const std::array<glm::vec4, 5> tints{
       glm::vec4{0.05F, 0.36F, 0.62F, 0.36F}, glm::vec4{0.78F, 0.20F, 0.06F, 0.38F},
       glm::vec4{0.10F, 0.52F, 0.30F, 0.34F}, glm::vec4{0.86F, 0.92F, 0.95F, 0.20F},
@@ -132,8 +160,7 @@ Model caseModel(SceneBuilder& builder, const Palette& palette, std::int32_t glas
   addQuad(panes, {-kX, kTop, kZ}, {kX, kTop, kZ}, {kX, kTop, -kZ}, {-kX, kTop, -kZ});
   return {builder.shape(std::move(base), palette.wood),
           builder.shape(std::move(felt), palette.fabric),
-          builder.shape(std::move(edges), palette.brass),
-          builder.shape(std::move(panes), glass)};
+          builder.shape(std::move(edges), palette.brass), builder.shape(std::move(panes), glass)};
 }
 
 void addCases(SceneBuilder& builder, const Palette& palette, std::span<const std::uint32_t> vases) {
@@ -148,15 +175,14 @@ void addCases(SceneBuilder& builder, const Palette& palette, std::span<const std
       std::move(knot),
       builder.material(plainMaterial("gold", {0.95F, 0.62F, 0.22F, 1.0F}, 0.3F, 0.55F)));
   Primitive urnMesh;
-  const Profile urn{{0.0F, 0.0F},    {0.07F, 0.0F},   {0.06F, 0.02F},  {0.035F, 0.06F},
-                    {0.09F, 0.16F},  {0.125F, 0.27F}, {0.10F, 0.37F},  {0.05F, 0.42F},
+  const Profile urn{{0.0F, 0.0F},    {0.07F, 0.0F},   {0.06F, 0.02F}, {0.035F, 0.06F},
+                    {0.09F, 0.16F},  {0.125F, 0.27F}, {0.10F, 0.37F}, {0.05F, 0.42F},
                     {0.055F, 0.45F}, {0.075F, 0.47F}, {0.0F, 0.475F}};
   addLathe(urnMesh, smoothed(urn), 64);
   const std::uint32_t urnShape = builder.shape(std::move(urnMesh), palette.pottery);
 
-  const std::array<glm::vec3, 3> places{glm::vec3(-2.55F, 0.0F, 1.3F),
-                                        glm::vec3(-2.75F, 0.0F, -2.3F),
-                                        glm::vec3(5.0F, 0.0F, -2.0F)};
+  const std::array<glm::vec3, 3> places{
+      glm::vec3(-2.55F, 0.0F, 1.3F), glm::vec3(-2.75F, 0.0F, -2.3F), glm::vec3(5.0F, 0.0F, -2.0F)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::mat4 at = place(places[i], kSideways);
     builder.add(model, at);
@@ -195,8 +221,8 @@ void addPartition(SceneBuilder& builder, const Palette& palette) {
     }
   }
   builder.addOnce(std::move(posts), palette.brass);
-  builder.addOnce(std::move(panes), builder.material(glassMaterial(
-                                        "partition glass", {0.16F, 0.48F, 0.50F, 0.22F})));
+  builder.addOnce(std::move(panes),
+                  builder.material(glassMaterial("partition glass", {0.16F, 0.48F, 0.50F, 0.22F})));
 }
 
 /// A sheer curtain in the yz plane that faces -x, gathered in waves; z from 0 to `width`.

@@ -20,8 +20,12 @@ constexpr int kColumnsInRow = 6;
 constexpr float kEntablature = 5.2F;  // its lower edge, on the columns
 constexpr float kBeam = 5.6F;         // lower edge of the ceiling's beams
 
-float windowZ(int i) { return kFirstWindow + kBay * static_cast<float>(i); }
-float columnZ(int i) { return kFirstColumn + kBay * static_cast<float>(i); }
+float windowZ(int i) {
+  return kFirstWindow + kBay * static_cast<float>(i);
+}
+float columnZ(int i) {
+  return kFirstColumn + kBay * static_cast<float>(i);
+}
 
 void addShell(SceneBuilder& builder, const Palette& palette) {
   constexpr float w = kHalfWidth;
@@ -98,10 +102,9 @@ Model columnModel(SceneBuilder& builder, const Palette& palette) {
                                     {0.355F, 0.34F}, {0.36F, 0.37F},  {0.345F, 0.40F},
                                     {0.30F, 0.42F},  {0.0F, 0.43F}};
   addLathe(ends, base, 48);
-  const std::vector<glm::vec2> capital{{0.235F, 4.70F}, {0.265F, 4.72F}, {0.265F, 4.76F},
-                                       {0.24F, 4.78F},  {0.25F, 4.86F},  {0.29F, 4.95F},
-                                       {0.36F, 5.02F},  {0.38F, 5.05F},  {0.36F, 5.08F},
-                                       {0.0F, 5.08F}};
+  const std::vector<glm::vec2> capital{
+      {0.235F, 4.70F}, {0.265F, 4.72F}, {0.265F, 4.76F}, {0.24F, 4.78F}, {0.25F, 4.86F},
+      {0.29F, 4.95F},  {0.36F, 5.02F},  {0.38F, 5.05F},  {0.36F, 5.08F}, {0.0F, 5.08F}};
   addLathe(ends, capital, 48);
   addBevelledBox(ends, {-0.42F, 5.07F, -0.42F}, {0.42F, kEntablature, 0.42F}, 0.015F);
   Primitive placedShaft;
@@ -122,8 +125,7 @@ void addColumnsAndCeiling(SceneBuilder& builder, const Palette& palette) {
   constexpr float kDentil = 0.22F;  // distance from one to the next
   for (const float side : {-1.0F, 1.0F}) {
     const float x = side * kColumnX;
-    addBox(stone, {x - kHalfBeam, kEntablature, -kHalfLength},
-           {x + kHalfBeam, kBeam, kHalfLength});
+    addBox(stone, {x - kHalfBeam, kEntablature, -kHalfLength}, {x + kHalfBeam, kBeam, kHalfLength});
     addBevelledBox(stone, {x - 0.31F, kBeam - 0.08F, -kHalfLength},
                    {x + 0.31F, kBeam + 0.02F, kHalfLength}, 0.02F);
     const int dentils = static_cast<int>(2.0F * kHalfLength / kDentil);
@@ -143,8 +145,8 @@ void addColumnsAndCeiling(SceneBuilder& builder, const Palette& palette) {
                    {kHalfWidth, kHeight, columnZ(i) + 0.18F}, 0.03F, 1.2F);
   }
   for (const float x : {-1.4F, 1.4F}) {
-    addBevelledBox(beams, {x - 0.1F, kBeam + 0.16F, -kHalfLength},
-                   {x + 0.1F, kHeight, kHalfLength}, 0.02F, 1.2F);
+    addBevelledBox(beams, {x - 0.1F, kBeam + 0.16F, -kHalfLength}, {x + 0.1F, kHeight, kHalfLength},
+                   0.02F, 1.2F);
   }
   builder.addOnce(std::move(beams), palette.wood);
 }

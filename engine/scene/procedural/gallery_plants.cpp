@@ -13,11 +13,11 @@ namespace {
 
 /// How a leaf hangs: a curve in the upright plane through the stem.
 struct Leaf {
-  float turns;    ///< direction around the stem
-  float length;   ///< metres
-  float rise;     ///< slope at the stem
-  float droop;    ///< how far it bends down, per length squared
-  float width;    ///< metres, full
+  float turns;   ///< direction around the stem
+  float length;  ///< metres
+  float rise;    ///< slope at the stem
+  float droop;   ///< how far it bends down, per length squared
+  float width;   ///< metres, full
   glm::vec3 foot;
 };
 
@@ -36,8 +36,7 @@ void addLeaf(Primitive& mesh, const Leaf& leaf, int segments, const glm::vec4& c
     const float height = leaf.length * (leaf.rise * s - leaf.droop * s * s);
     const float slope = leaf.rise - 2.0F * leaf.droop * s;
     const glm::vec3 up = glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) - ahead * slope);
-    const glm::vec3 middle =
-        leaf.foot + ahead * (leaf.length * s) + glm::vec3(0.0F, height, 0.0F);
+    const glm::vec3 middle = leaf.foot + ahead * (leaf.length * s) + glm::vec3(0.0F, height, 0.0F);
     const float half = 0.5F * leaf.width * outline(s);
     for (int side = -1; side <= 1; ++side) {
       const auto signedSide = static_cast<float>(side);
@@ -118,7 +117,8 @@ std::uint32_t broadLeafShape(SceneBuilder& builder, std::int32_t material, Rando
       // A stalk over the first fifth, then a lens.
       if (s < 0.2F) return 0.06F;
       const float along = (s - 0.2F) / 0.8F;
-      return 0.06F + 3.76F * along * (1.0F - along) * (1.0F - 0.3F * along) * (1.0F - s * s * s * s);
+      return 0.06F +
+             3.76F * along * (1.0F - along) * (1.0F - 0.3F * along) * (1.0F - s * s * s * s);
     });
   }
   return builder.shape(std::move(mesh), material);
@@ -145,15 +145,15 @@ void addPlants(SceneBuilder& builder, const Palette& palette, std::uint64_t seed
   const std::array<std::uint32_t, 2> broad{broadLeafShape(builder, leaves, random),
                                            broadLeafShape(builder, leaves, random)};
   const std::array<glm::vec3, 6> palmPlaces{
-      glm::vec3(5.2F, 0.0F, 2.0F),  glm::vec3(-5.2F, 0.0F, 6.4F),  glm::vec3(-5.2F, 0.0F, -2.0F),
+      glm::vec3(5.2F, 0.0F, 2.0F),  glm::vec3(-5.2F, 0.0F, 6.4F),   glm::vec3(-5.2F, 0.0F, -2.0F),
       glm::vec3(5.2F, 0.0F, -6.0F), glm::vec3(-3.4F, 0.0F, -10.2F), glm::vec3(3.4F, 0.0F, -10.2F)};
   for (std::size_t i = 0; i < palmPlaces.size(); ++i) {
     builder.add(pot, place(palmPlaces[i]));
     builder.add(palms[i % 2], place(palmPlaces[i], random.unit(), random.range(0.95F, 1.2F)));
   }
   const std::array<glm::vec3, 6> broadPlaces{
-      glm::vec3(3.5F, 0.0F, 7.7F), glm::vec3(-3.3F, 0.0F, -0.1F), glm::vec3(3.3F, 0.0F, -1.5F),
-      glm::vec3(-3.4F, 0.0F, -5.3F), glm::vec3(3.4F, 0.0F, -5.3F), glm::vec3(5.25F, 0.0F, 5.9F)};
+      glm::vec3(3.5F, 0.0F, 7.7F),   glm::vec3(-3.3F, 0.0F, -0.1F), glm::vec3(3.3F, 0.0F, -1.5F),
+      glm::vec3(-3.4F, 0.0F, -5.3F), glm::vec3(3.4F, 0.0F, -5.3F),  glm::vec3(5.25F, 0.0F, 5.9F)};
   for (std::size_t i = 0; i < broadPlaces.size(); ++i) {
     builder.add(pot, place(broadPlaces[i], 0.0F, 0.85F));
     builder.add(broad[i % 2],
@@ -167,10 +167,10 @@ void addBowl(SceneBuilder& builder, const Palette& palette) {
   Primitive stone;
   addLathe(stone, steps, 64);
   builder.addOnce(std::move(stone), palette.stone, place(kBowlPlace));
-  const std::vector<glm::vec2> outline{
-      {0.0F, 0.34F},   {0.26F, 0.322F}, {0.27F, 0.35F}, {0.12F, 0.42F}, {0.075F, 0.52F},
-      {0.075F, 0.62F}, {0.14F, 0.70F},  {0.34F, 0.82F}, {0.47F, 0.98F}, {0.50F, 1.02F},
-      {0.52F, 1.03F},  {0.52F, 1.05F}};
+  const std::vector<glm::vec2> outline{{0.0F, 0.34F},  {0.26F, 0.322F}, {0.27F, 0.35F},
+                                       {0.12F, 0.42F}, {0.075F, 0.52F}, {0.075F, 0.62F},
+                                       {0.14F, 0.70F}, {0.34F, 0.82F},  {0.47F, 0.98F},
+                                       {0.50F, 1.02F}, {0.52F, 1.03F},  {0.52F, 1.05F}};
   Primitive bowl;
   addVessel(bowl, outline, 0.03F, 0.42F, 72);
   builder.addOnce(std::move(bowl), palette.bronze, place(kBowlPlace));

@@ -25,7 +25,9 @@ glm::vec3 layerColor(int i, int /*n*/) {
   return {residue(37, 101), residue(53, 103), residue(71, 107)};
 }
 
-float layerAlpha(int i, int n) { return 1.0F / static_cast<float>(n - i + 1); }
+float layerAlpha(int i, int n) {
+  return 1.0F / static_cast<float>(n - i + 1);
+}
 
 glm::vec3 layersComposite(int n) {
   glm::dvec3 sum(0.0);

@@ -13,9 +13,9 @@
 namespace macula::scene {
 namespace {
 
-constexpr int kDepthLimit = 16;  // maximum depth of the smoke scene of Vasilakis 2017, Table 2
+constexpr int kDepthLimit = 16;      // maximum depth of the smoke scene of Vasilakis 2017, Table 2
 constexpr int kCountingSize = 1024;  // pixels; the size at which the depth is promised
-constexpr int kAttempts = 420;  // puffs tried; those that would exceed the limit are left out
+constexpr int kAttempts = 420;       // puffs tried; those that would exceed the limit are left out
 constexpr float kTanHalfFov = 0.42F;
 constexpr float kPlumeFoot = 0.8F;    // metres above the floor
 constexpr float kPlumeHeight = 2.6F;  // metres

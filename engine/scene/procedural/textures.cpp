@@ -73,7 +73,9 @@ Image draw(std::string name, int width, int height, const Shade& shade) {
   return image;
 }
 
-std::uint32_t foldSeed(std::uint64_t seed) { return static_cast<std::uint32_t>(seed ^ seed >> 32U); }
+std::uint32_t foldSeed(std::uint64_t seed) {
+  return static_cast<std::uint32_t>(seed ^ seed >> 32U);
+}
 
 }  // namespace
 
@@ -86,10 +88,12 @@ Image marbleTiles(int size, std::uint64_t seed) {
     const float cloud = fractal(u, v, 4, key);
     const float ridge = 1.0F - std::abs(2.0F * fractal(u, v, 3, key + 17) - 1.0F);
     const float vein = ridge * ridge * ridge * ridge * ridge * ridge * ridge * ridge;
-    const glm::vec3 light = glm::mix(glm::vec3(0.83F, 0.80F, 0.75F), glm::vec3(0.94F, 0.92F, 0.88F),
-                                     cloud) - 0.16F * vein;
-    const glm::vec3 deep = glm::mix(glm::vec3(0.24F, 0.27F, 0.29F), glm::vec3(0.36F, 0.39F, 0.41F),
-                                    cloud) + 0.20F * vein;
+    const glm::vec3 light =
+        glm::mix(glm::vec3(0.83F, 0.80F, 0.75F), glm::vec3(0.94F, 0.92F, 0.88F), cloud) -
+        0.16F * vein;
+    const glm::vec3 deep =
+        glm::mix(glm::vec3(0.24F, 0.27F, 0.29F), glm::vec3(0.36F, 0.39F, 0.41F), cloud) +
+        0.20F * vein;
     return glm::vec4((dark ? deep : light) * glm::mix(0.6F, 1.0F, edge), 1.0F);
   });
 }
@@ -124,13 +128,15 @@ Image frond(int size, std::uint64_t seed) {
     const float along = 1.0F - v;  // 0 at the stem, 1 at the tip
     const float side = std::abs(2.0F * u - 1.0F);
     // Leaflets lean towards the tip; the outline is widest at a third of the length.
-    const float outline = along < 0.33F ? 0.35F + 1.9F * along : 0.98F * (1.0F - along) / 0.67F + 0.02F;
+    const float outline =
+        along < 0.33F ? 0.35F + 1.9F * along : 0.98F * (1.0F - along) / 0.67F + 0.02F;
     const float leaflet = triangleWave((along - 0.16F * side) * 15.0F);
     const float width = 0.75F * (1.0F - 0.75F * side / std::max(outline, 0.01F));
     const bool stem = side < 0.035F && along < 0.97F;
     const bool leaf = side < outline && leaflet < width && along > 0.05F;
     const float shade = 0.25F * noise(u, v, 16, key) + 0.25F * leaflet;
-    const glm::vec3 green = glm::mix(glm::vec3(0.16F, 0.36F, 0.13F), glm::vec3(0.46F, 0.64F, 0.24F), shade);
+    const glm::vec3 green =
+        glm::mix(glm::vec3(0.16F, 0.36F, 0.13F), glm::vec3(0.46F, 0.64F, 0.24F), shade);
     return glm::vec4(stem ? glm::vec3(0.45F, 0.52F, 0.25F) : green, stem || leaf ? 1.0F : 0.0F);
   });
 }
@@ -138,8 +144,10 @@ Image frond(int size, std::uint64_t seed) {
 Image painting(int size, std::uint64_t seed) {
   Random random(seed, 5);
   // Warm and cool grounds in turn, bands that darken towards the bottom, one disc.
-  const glm::vec3 warm{random.range(0.75F, 0.95F), random.range(0.45F, 0.65F), random.range(0.2F, 0.35F)};
-  const glm::vec3 cool{random.range(0.1F, 0.25F), random.range(0.3F, 0.45F), random.range(0.45F, 0.65F)};
+  const glm::vec3 warm{random.range(0.75F, 0.95F), random.range(0.45F, 0.65F),
+                       random.range(0.2F, 0.35F)};
+  const glm::vec3 cool{random.range(0.1F, 0.25F), random.range(0.3F, 0.45F),
+                       random.range(0.45F, 0.65F)};
   const glm::vec2 disc{random.range(0.25F, 0.75F), random.range(0.2F, 0.45F)};
   const float discRadius = random.range(0.08F, 0.17F);
   const float horizon = random.range(0.45F, 0.65F);
@@ -154,8 +162,10 @@ Image painting(int size, std::uint64_t seed) {
     }
     for (std::uint32_t ridge = 0; ridge < 4; ++ridge) {
       const float step = static_cast<float>(ridge);
-      const float line = horizon + 0.13F * step + 0.16F * (noise(u, 0.0F, 3 + ridge, key + ridge) - 0.5F);
-      if (v > line) color = glm::mix(cool * 0.9F, glm::vec3(0.09F, 0.08F, 0.12F), 0.28F * step) + brush;
+      const float line =
+          horizon + 0.13F * step + 0.16F * (noise(u, 0.0F, 3 + ridge, key + ridge) - 0.5F);
+      if (v > line)
+        color = glm::mix(cool * 0.9F, glm::vec3(0.09F, 0.08F, 0.12F), 0.28F * step) + brush;
     }
     return glm::vec4(color, 1.0F);
   });
@@ -169,7 +179,7 @@ Image carpet(int width, int height, std::uint64_t seed) {
     const float y = std::min(v, 1.0F - v) * aspect;
     const float border = std::min(x, y);
     const float lozenge = triangleWave(u * 3.0F) + triangleWave(v * aspect * 3.0F);
-    glm::vec3 color = std::abs(lozenge - 1.0F) < 0.12F   ? glm::vec3(0.78F, 0.62F, 0.36F)
+    glm::vec3 color = std::abs(lozenge - 1.0F) < 0.12F    ? glm::vec3(0.78F, 0.62F, 0.36F)
                       : lozenge > 1.45F || lozenge < 0.5F ? glm::vec3(0.16F, 0.22F, 0.36F)
                                                           : glm::vec3(0.47F, 0.12F, 0.12F);
     if (border < 0.14F) color = glm::vec3(0.14F, 0.18F, 0.30F);

@@ -1,0 +1,172 @@
+// The frame as a whole: layouts, allocation, sizes, tone map, self-tests.
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+#include "engine/core/error.h"
+#include "engine/scene/load.h"
+#include "engine/scene/procedural/recipes.h"
+#include "gl_fixture.h"
+#include "shared/frame_constants.h"
+#include "shared/oit_totals.h"
+#include "shared/scene_data.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+}  // namespace
+
+// Counts what Macula itself allocates; the driver, which is C, does not come through here.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace macula::test {
+namespace {
+
+using frame::Resource;
+
+TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
+  for (const char* method : {"blend", "ab-sbuffer", "kb-variable"}) {
+    Bench bench(tangle(100, 1), linearSettings(method), {64, 64}, machine());
+    for (int i = 0; i < 3; ++i) bench.draw();
+    const std::size_t before = allocations;
+    for (int i = 0; i < 5; ++i) bench.draw();
+    EXPECT_EQ(allocations - before, 0U) << method;
+  }
+}
+
+/// Byte offset of a member of a block as the compiler of the driver sees it.
+GLint offsetOf(GLuint program, GLenum interface, const char* name) {
+  const GLuint index = glGetProgramResourceIndex(program, interface, name);
+  if (index == GL_INVALID_INDEX) {
+    ADD_FAILURE() << name << " is not active";
+    return -1;
+  }
+  const GLenum property = GL_OFFSET;
+  GLint value = -1;
+  glGetProgramResourceiv(program, interface, index, 1, &property, 1, nullptr, &value);
+  return value;
+}
+
+TEST_F(GlTest, SharedStructsLieAsTheShadersReadThem) {
+  const GLuint lighting = machine().programs.get(
+      {{"lighting.comp"}, {{"SHADOWS", "1"}, {"ENVIRONMENT", "1"}, {"LIT", "1"}}, {}});
+  const auto uniform = [&](const char* name) { return offsetOf(lighting, GL_UNIFORM, name); };
+  using shader::FrameConstants;
+  EXPECT_EQ(uniform("frame.inverseViewProjection"),
+            static_cast<GLint>(offsetof(FrameConstants, inverseViewProjection)));
+  EXPECT_EQ(uniform("frame.eye"), static_cast<GLint>(offsetof(FrameConstants, eye)));
+  EXPECT_EQ(uniform("frame.size"), static_cast<GLint>(offsetof(FrameConstants, size)));
+  using shader::LightBlock;
+  EXPECT_EQ(uniform("lights.environment"),
+            static_cast<GLint>(offsetof(LightBlock, environment)));
+  EXPECT_EQ(uniform("lights.shadowMatrix"),
+            static_cast<GLint>(offsetof(LightBlock, shadowMatrix)));
+  EXPECT_EQ(uniform("lights.irradiance[0]"),
+            static_cast<GLint>(offsetof(LightBlock, irradiance)));
+  EXPECT_EQ(uniform("lights.lights[0].color"),
+            static_cast<GLint>(offsetof(LightBlock, lights) + offsetof(shader::LightData, color)));
+  const GLuint importance = machine().programs.get({{"oit/importance.comp"}, {}, {}});
+  const auto total = [&](const char* name) { return offsetOf(importance, GL_BUFFER_VARIABLE, name); };
+  using shader::OitTotals;
+  EXPECT_EQ(total("totals.covered"), static_cast<GLint>(offsetof(OitTotals, covered)));
+  EXPECT_EQ(total("totals.countMax"), static_cast<GLint>(offsetof(OitTotals, countMax)));
+  EXPECT_EQ(sizeof(shader::Instance) % 16, 0U);
+  EXPECT_EQ(sizeof(shader::MaterialData) % 16, 0U);
+}
+
+TEST_F(GlTest, TwoRunsGiveTheSameBits) {
+  const scene::Scene scene = tangle(300, 6);
+  Bench a(scene, linearSettings("kb-variable", 1.0), {96, 64}, machine());
+  Bench b(scene, linearSettings("kb-variable", 1.0), {96, 64}, machine());
+  for (int i = 0; i < 3; ++i) {
+    a.draw({0.3F, 0.4F});
+    b.draw({0.3F, 0.4F});
+    EXPECT_EQ(a.display(), b.display());
+    EXPECT_EQ(a.linear(), b.linear());
+  }
+}
+
+TEST_F(GlTest, BackgroundShowsWhereNothingIsDrawnAndRowsStartAtTheTop) {
+  scene::Scene scene = scene::makeLayers(1, 1);
+  // The quad moves up by its own extent: only the upper half of the picture stays covered.
+  const scene::Camera camera = scene.cameras.front();
+  float top = -1e9F;
+  float bottom = 1e9F;
+  for (const glm::vec3& p : scene.primitives.front().positions) {
+    top = std::max(top, p.y);
+    bottom = std::min(bottom, p.y);
+  }
+  scene.instances.front().transform[3][1] += camera.position.y - bottom;
+  passes::RenderSettings settings = linearSettings("ab-sbuffer");
+  settings.background = {0.25F, 0.5F, 0.75F};
+  Bench bench(scene, settings, {16, 16}, machine());
+  bench.draw();
+  const std::vector<float> rgb = bench.linear();
+  const std::size_t lastRow = 3 * 16 * 15;
+  EXPECT_NEAR(rgb[lastRow], 0.25F, 1e-3);
+  EXPECT_NEAR(rgb[lastRow + 2], 0.75F, 1e-3);
+  EXPECT_NEAR(rgb[0], scene::layersComposite(1).r, 1e-3);
+}
+
+TEST_F(GlTest, SupersamplingAveragesSamples) {
+  const scene::Scene scene = tangle(60, 8);
+  passes::RenderSettings settings = linearSettings("ab-sbuffer");
+  Bench full(scene, settings, {64, 64}, machine());
+  settings.tonemap.ssaa = 2;
+  Bench averaged(scene, settings, {32, 32}, machine());
+  full.draw();
+  averaged.draw();
+  const auto big = full.linear();
+  const auto small = averaged.linear();
+  for (std::size_t y = 0; y < 32; ++y) {
+    for (std::size_t x = 0; x < 32 * 3; ++x) {
+      const std::size_t column = x / 3 * 6 + x % 3;
+      const float mean = 0.25F * (big[2 * y * 192 + column] + big[2 * y * 192 + column + 3] +
+                                  big[(2 * y + 1) * 192 + column] +
+                                  big[(2 * y + 1) * 192 + column + 3]);
+      ASSERT_NEAR(small[y * 96 + x], mean, 1e-5F);
+    }
+  }
+}
+
+TEST_F(GlTest, TimerAndRasteriserWereJudged) {
+  EXPECT_FALSE(machine().time.reason.empty());
+  EXPECT_FALSE(machine().ordered.reason.empty());
+  if (machine().capabilities.renderer.starts_with("llvmpipe")) {
+    EXPECT_EQ(machine().time.source, gl::TimeSource::Finish) << "its timer is known to be wrong";
+    EXPECT_TRUE(machine().ordered.passed);
+  }
+}
+
+TEST_F(GlTest, WhatTheGpuCannotDoIsOneLine) {
+  const scene::Scene scene = tangle(10, 1);
+  passes::RenderSettings settings = linearSettings("kb-variable", 4096.0);
+  Bench large(scene, settings, {4096, 4096}, machine());
+  EXPECT_THROW(large.draw(), InputError);
+  settings.oit.kAve = 1.0;
+  settings.oit.memoryMiB = 1e-6;
+  Bench small(scene, settings, {64, 64}, machine());
+  EXPECT_THROW(small.draw(), InputError);
+  settings.oit.memoryMiB = 0.0;
+  settings.tonemap.ssaa = 4;
+  EXPECT_THROW(Bench(scene, settings, {16384, 16384}, machine()), InputError);
+  if (!machine().capabilities.fragmentShaderInterlock) {
+    settings.tonemap.ssaa = 1;
+    settings.oit.sync = "interlock";
+    Bench locked(scene, settings, {64, 64}, machine());
+    EXPECT_THROW(locked.draw(), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace macula::test

@@ -1,0 +1,144 @@
+#include "gl_fixture.h"
+
+#include <random>
+
+namespace macula::test {
+namespace {
+
+/// Made on first use and kept for the program: contexts are dear, and so are compiled shaders.
+struct World {
+  window::HeadlessContext context{window::EglPlatform::Auto, true};
+  gl::DebugLog log;
+  passes::Machine machine;
+};
+
+World& world() {
+  static World* const instance = new World;  // never destroyed: GL must outlive every static
+  return *instance;
+}
+
+}  // namespace
+
+void GlTest::SetUp() { world().log.clear(); }
+
+void GlTest::TearDown() {
+  for (const std::string& message : world().log.messages()) ADD_FAILURE() << "GL: " << message;
+}
+
+passes::Machine& GlTest::machine() { return world().machine; }
+gl::DebugLog& GlTest::debugLog() { return world().log; }
+
+Bench::Bench(const scene::Scene& scene, const passes::RenderSettings& s, glm::ivec2 size,
+             passes::Machine& machine, scene::DrawOrder order)
+    : settings(s),
+      gpu(scene, nullptr, order),
+      renderer(settings, machine),
+      camera(scene.cameras.front()) {
+  renderer.resize(size);
+  renderer.setScene(gpu);
+}
+
+passes::FrameResult Bench::draw(glm::vec2 gaze, bool cut) {
+  return renderer.render(camera, gaze, cut);
+}
+
+std::vector<std::uint8_t> Bench::display() const {
+  std::vector<std::uint8_t> rgb;
+  renderer.readDisplay(rgb);
+  return rgb;
+}
+
+std::vector<float> Bench::linear() const {
+  std::vector<float> rgb;
+  renderer.readLinear(rgb);
+  return rgb;
+}
+
+std::vector<std::uint32_t> Bench::words(frame::Resource resource, int channels) const {
+  const gl::Texture& texture = renderer.resources().texture(resource);
+  std::vector<std::uint32_t> data(static_cast<std::size_t>(texture.width()) *
+                                  static_cast<std::size_t>(texture.height()) *
+                                  static_cast<std::size_t>(channels));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(texture.id(), 0, channels == 2 ? GL_RG_INTEGER : GL_RED_INTEGER,
+                    GL_UNSIGNED_INT, static_cast<GLsizei>(data.size() * sizeof(std::uint32_t)),
+                    data.data());
+  return data;
+}
+
+std::vector<float> Bench::floats(frame::Resource resource, int channels) const {
+  const gl::Texture& texture = renderer.resources().texture(resource);
+  std::vector<float> data(static_cast<std::size_t>(texture.width()) *
+                          static_cast<std::size_t>(texture.height()) *
+                          static_cast<std::size_t>(channels));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(texture.id(), 0, channels == 4 ? GL_RGBA : GL_RED, GL_FLOAT,
+                    static_cast<GLsizei>(data.size() * sizeof(float)), data.data());
+  return data;
+}
+
+std::vector<std::uint32_t> Bench::bufferWords(frame::Resource resource) const {
+  const gl::Buffer& buffer = renderer.resources().buffer(resource);
+  std::vector<std::uint32_t> data(buffer.bytes() / sizeof(std::uint32_t));
+  buffer.download(data.data(), buffer.bytes());
+  return data;
+}
+
+passes::RenderSettings linearSettings(const std::string& method, double kAve) {
+  passes::RenderSettings settings;
+  settings.oit.method = method;
+  settings.oit.kAve = kAve;
+  settings.tonemap.curve = "none";
+  settings.tonemap.linearOut = true;
+  return settings;
+}
+
+scene::Scene tangle(int triangles, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0F; };
+  scene::Scene scene;
+  scene.name = "tangle";
+  scene::Material glass;
+  glass.alphaMode = scene::AlphaMode::Blend;
+  glass.doubleSided = true;
+  glass.metallic = 0.0F;
+  scene.materials = {glass, scene::Material{}};
+  const auto corner = [&](scene::Primitive& p, glm::vec3 position, glm::vec4 color) {
+    p.indices.push_back(static_cast<std::uint32_t>(p.positions.size()));
+    p.positions.push_back(position);
+    scene::VertexAttributes a;
+    a.normal = glm::normalize(glm::vec3(unit() - 0.5F, unit() - 0.5F, 1.0F));
+    a.color = color;
+    p.attributes.push_back(a);
+  };
+  // Several primitives, so that reversing the draws has something to reverse.
+  constexpr int kPrimitives = 4;
+  for (int n = 0; n < kPrimitives; ++n) {
+    scene::Primitive p;
+    p.material = 0;
+    for (int t = n; t < triangles; t += kPrimitives) {
+      const glm::vec3 center(4.0F * unit() - 2.0F, 4.0F * unit() - 2.0F, -3.0F - 4.0F * unit());
+      const glm::vec4 color(unit(), unit(), unit(), 0.1F + 0.7F * unit());
+      for (int c = 0; c < 3; ++c) {
+        corner(p, center + 2.5F * glm::vec3(unit() - 0.5F, unit() - 0.5F, unit() - 0.5F), color);
+      }
+    }
+    scene.instances.push_back({static_cast<std::uint32_t>(scene.primitives.size()), glm::mat4(1)});
+    scene.primitives.push_back(std::move(p));
+  }
+  scene::Primitive wall;  // opaque, slanted through the tangle
+  wall.material = 1;
+  for (const glm::vec3& v : {glm::vec3(-3, -3, -4), glm::vec3(3, -3, -6), glm::vec3(0, 1, -5)}) {
+    corner(wall, v, glm::vec4(0.8F));
+  }
+  scene.instances.push_back({static_cast<std::uint32_t>(scene.primitives.size()), glm::mat4(1)});
+  scene.primitives.push_back(std::move(wall));
+  scene::addDefaultLights(scene);
+  scene::Camera camera;
+  camera.nearPlane = 0.1F;
+  camera.farPlane = 20.0F;
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+}  // namespace macula::test

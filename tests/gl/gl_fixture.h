@@ -1,0 +1,51 @@
+// A headless context whose debug output fails the test, and renderers on it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/gl/debug.h"
+#include "engine/scene/gpu_scene.h"
+#include "engine/window/headless.h"
+#include "passes/frame_renderer.h"
+#include "passes/machine.h"
+
+namespace macula::test {
+
+/// One context for the test program; the debug log is looked at after every test.
+class GlTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+  static passes::Machine& machine();
+  static gl::DebugLog& debugLog();
+};
+
+/// A scene in GPU memory and a renderer that draws it.
+struct Bench {
+  Bench(const scene::Scene& scene, const passes::RenderSettings& settings, glm::ivec2 size,
+        passes::Machine& machine, scene::DrawOrder order = {});
+  passes::FrameResult draw(glm::vec2 gaze = glm::vec2(0.5F), bool cut = false);
+  [[nodiscard]] std::vector<std::uint8_t> display() const;
+  [[nodiscard]] std::vector<float> linear() const;
+  /// Level 0 of an integer texture, rows from the bottom, `channels` words a texel.
+  [[nodiscard]] std::vector<std::uint32_t> words(frame::Resource resource, int channels) const;
+  [[nodiscard]] std::vector<float> floats(frame::Resource resource, int channels) const;
+  [[nodiscard]] std::vector<std::uint32_t> bufferWords(frame::Resource resource) const;
+
+  passes::RenderSettings settings;
+  scene::GpuScene gpu;
+  passes::FrameRenderer renderer;
+  scene::Camera camera;
+};
+
+/// Settings for exact linear output by a method.
+[[nodiscard]] passes::RenderSettings linearSettings(const std::string& method, double kAve = 4.0);
+
+/// A small lit scene with opaque and transparent parts that intersect in depth.
+[[nodiscard]] scene::Scene tangle(int triangles, std::uint32_t seed);
+
+}  // namespace macula::test
