@@ -151,6 +151,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
     ++recaptures;
   }
   deepestSeen_ = std::max(deepestSeen_, totals.countMax);
+  plan_.largestLayers = totals.kMax;
   lastCamera_ = camera;
   historyUsable_ = true;
   ++inputs_.frameIndex;

@@ -57,8 +57,9 @@ bool needsFactors(const std::string& name) {
 double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) {
   if (needsFactors(settings.map)) return 1.0;
   if (settings.range > 0.0) return settings.range;
-  // Up to the largest count seen, or what a budget can hand out to a pixel at its best.
-  return std::max(4.0, static_cast<double>(plan.layerLimit));
+  constexpr double kLeast = 4.0;  // so that a picture of one layer is not all hot
+  const double largest = settings.map == "k" ? plan.largestLayers : plan.layerLimit;
+  return std::max(kLeast, largest);
 }
 
 void HeatmapPass::declare(frame::PassDeclaration& d) const {

@@ -14,7 +14,8 @@ class HeatmapPass final : public frame::Pass {
  public:
   struct Settings {
     std::string map = "none";  ///< one of heatmapNames()
-    double range = 0.0;        ///< value of the hottest colour for counts and k; 0: 4 k_ave
+    double range = 0.0;        ///< value of the hottest colour for counts and k; 0: the largest
+                               ///< of the last frame
   };
   HeatmapPass(const Settings& settings, const OitPlan& plan, const int& samplesPerAxis)
       : settings_(settings), plan_(plan), samplesPerAxis_(samplesPerAxis) {}

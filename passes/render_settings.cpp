@@ -77,7 +77,7 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                      s.heatmap.map, heatmapNames());
   registry.add({.key = "view.heatmapRange",
                 .unit = "layers",
-                .help = "value of the hottest colour for counts and k; 0: the largest count"},
+                .help = "value of the hottest colour for counts and k; 0: the largest seen"},
                s.heatmap.range, {.min = 0.0, .max = 65535.0});
 }
 

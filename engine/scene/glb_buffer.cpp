@@ -115,8 +115,11 @@ GlbJson GlbBuffer::addPrimitive(const Primitive& primitive, bool withTangents, b
         addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.uv1; }), 2);
   }
   if (any([](const VertexAttributes& v) { return v.color != glm::vec4(1.0F); })) {
-    attributes["COLOR_0"] =
-        addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.color; }), 4);
+    attributes["COLOR_0"] = addFloats(
+        flatten(primitive,
+                // The specification's range.
+                [](const VertexAttributes& v) { return glm::clamp(v.color, 0.0F, 1.0F); }),
+        4);
   }
   GlbJson entry{{"attributes", std::move(attributes)}, {"indices", addIndices(primitive)}};
   if (primitive.material != kNone) entry["material"] = primitive.material;

@@ -60,7 +60,8 @@ class GlbWriter {
   void addMeshesAndInstances();
   void addLights();
   void addCameras();
-  void addNode(GlbJson node) {
+  void addNode(GlbJson node, const glm::mat4& transform) {
+    if (transform != glm::mat4(1.0F)) node["matrix"] = toJson(transform);
     roots_.push_back(nodes_.size());
     nodes_.push_back(std::move(node));
   }
@@ -197,8 +198,7 @@ void GlbWriter::addMeshesAndInstances() {
       meshes_.push_back({{"primitives", std::move(primitives)}});
     }
     GlbJson node{{"mesh", entry->second}};
-    if (instance.transform != glm::mat4(1.0F)) node["matrix"] = toJson(instance.transform);
-    addNode(std::move(node));
+    addNode(std::move(node), instance.transform);
   }
 }
 
@@ -222,8 +222,8 @@ void GlbWriter::addLights() {
     if (light.castsShadow) entry["extras"] = {{"macula_casts_shadow", true}};
     const glm::vec3 up = std::abs(light.direction.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F)
                                                             : glm::vec3(1.0F, 0.0F, 0.0F);
-    addNode({{"matrix", toJson(frameOf(light.position, light.direction, up))},
-             {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size()}}}}}});
+    addNode({{"extensions", {{"KHR_lights_punctual", {{"light", lights_.size()}}}}}},
+            frameOf(light.position, light.direction, up));
     lights_.push_back(std::move(entry));
     extensions_.insert("KHR_lights_punctual");
   }
@@ -242,9 +242,8 @@ void GlbWriter::addCameras() {
     entry["perspective"] = {
         {"yfov", camera.verticalFov}, {"zfar", camera.farPlane}, {"znear", camera.nearPlane}};
     node["camera"] = cameras_.size();
-    node["matrix"] = toJson(frameOf(camera.position, ahead, camera.up));
     node["extras"] = {{"macula_target_distance", glm::length(ahead)}};
-    addNode(std::move(node));
+    addNode(std::move(node), frameOf(camera.position, ahead, camera.up));
     cameras_.push_back(std::move(entry));
   }
 }

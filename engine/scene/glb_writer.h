@@ -9,7 +9,8 @@
 namespace macula::scene {
 
 /// The bytes of a .glb file. Reading them with loadGltf gives the same triangles, materials,
-/// transforms, lights and cameras. Equal scenes give equal bytes.
+/// transforms, lights and cameras; vertex colours beyond 0..1 are clamped, as
+/// the specification asks. Equal scenes give equal bytes.
 ///
 /// One mesh for each primitive that is placed, so that instances share it; images are PNG. Tangents
 /// are written where the material has a normal texture. Extensions, only where used:

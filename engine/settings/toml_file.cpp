@@ -16,17 +16,22 @@ namespace {
 /// A file of settings or an experiment is a few kilobytes; this stops a wrong file early.
 constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
 
+/// No setting's key has this many parts; what lies deeper is reported as unknown.
+constexpr int kMaxDepth = 8;
+
 /// Applies one table and remembers which settings it has set.
 class Applier {
  public:
   Applier(Registry& registry, std::string_view name) : registry_(registry), name_(name) {}
 
-  void apply(const toml::table& table, const std::string& prefix) {
+  void apply(const toml::table& table, const std::string& prefix, int depth = 0) {
     for (const auto& [tomlKey, node] : table) {
       const std::string key =
           prefix.empty() ? std::string(tomlKey.str()) : prefix + "." + std::string(tomlKey.str());
-      if (const toml::table* inner = node.as_table()) {
-        apply(*inner, key);
+      const toml::table* inner = node.as_table();
+      const bool isSection = inner != nullptr && !(inner->is_inline() && inner->empty());
+      if (isSection && depth < kMaxDepth) {
+        apply(*inner, key, depth + 1);
       } else {
         set(key, node, tomlKey.source().begin.line);
       }
@@ -75,6 +80,7 @@ class Applier {
 
   static std::string_view kind(const toml::node& node) {
     if (node.is_array()) return "array";
+    if (node.is_table()) return "table";
     if (node.is_date() || node.is_time() || node.is_date_time()) return "date or time";
     return "value of another type";
   }

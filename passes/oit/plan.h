@@ -42,6 +42,7 @@ struct OitPlan {
   float layerLimit = 1.0F;      ///< N_limit in use
   std::uint32_t seed = 1;
   bool factorMaps = false;      ///< importance factors are shown
+  std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
 
   /// Whether each pixel has a spin lock.
   [[nodiscard]] bool usesLocks() const {

@@ -327,6 +327,17 @@ TEST(GlbWriter, DescribesItsBuffersAsTheSpecificationAsks) {
   EXPECT_EQ(root["textures"].size(), 2U) << "equal pairs of image and sampler are shared";
 }
 
+TEST(GlbWriter, ClampsColoursIntoTheRangeOfTheFormat) {
+  Scene scene;
+  Primitive mesh;
+  addQuad(mesh, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  paint(mesh, {1.5F, -1.0F, 0.5F, 1.0F});
+  scene.primitives.push_back(mesh);
+  scene.instances.push_back({0, glm::mat4(1.0F)});
+  EXPECT_EQ(reload(scene).primitives.at(0).attributes.at(0).color,
+            glm::vec4(1.0F, 0.0F, 0.5F, 1.0F));
+}
+
 TEST(GlbWriter, WritesLargeMeshesWithLongIndices) {
   Scene scene;
   Primitive mesh;

@@ -262,6 +262,8 @@ TEST_P(Recipe, IsSoundAndRepeatable) {
     for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       ASSERT_TRUE(glm::all(glm::lessThan(glm::abs(mesh.positions[v]), glm::vec3(1e3F)))) << name;
+      // The range that glTF allows.
+      ASSERT_EQ(mesh.attributes[v].color, glm::clamp(mesh.attributes[v].color, 0.0F, 1.0F)) << name;
       ASSERT_NEAR(glm::length(mesh.attributes[v].normal), 1.0F, 1e-4F) << name;
     }
     EXPECT_EQ(trianglesAgainstNormals(mesh), 0U) << "primitive " << i << ", " << name;

@@ -82,6 +82,9 @@ TEST_F(TomlTest, ErrorsNameFileAndLine) {
             "x.toml:1: oit.kAve: '4' is not a number; oit.kAve takes a number > 0 and <= 4096");
   EXPECT_EQ(messageOf("oit.kAve = [4]\n"),
             "x.toml:1: oit.kAve: is a TOML array; oit.kAve takes a number > 0 and <= 4096");
+  EXPECT_EQ(messageOf("oit.kAve = {}\n"),
+            "x.toml:1: oit.kAve: is a TOML table; oit.kAve takes a number > 0 and <= 4096");
+  EXPECT_EQ(messageOf("[oit]\n"), "no error");
   EXPECT_EQ(messageOf("k-ave = 1\noit.kAve = 2\n").substr(0, 9), "x.toml:2:");
   EXPECT_EQ(messageOf("oit.kAve = 1979-05-27\n"),
             "x.toml:1: oit.kAve: is a TOML date or time; oit.kAve takes a number > 0 and <= 4096");

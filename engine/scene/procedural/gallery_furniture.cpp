@@ -114,7 +114,7 @@ void addPaintings(SceneBuilder& builder, const Palette& palette, std::uint64_t s
   for (int i = 0; i < kMotifs; ++i) {
     Material material = plainMaterial("canvas " + std::to_string(i + 1), glm::vec4(1.0F), 0.8F);
     const auto motif = static_cast<std::uint64_t>(i) + 1;
-    material.baseColorTexture.image = builder.image(painting(192, seed * kMotifs + motif));
+    material.baseColorTexture.image = builder.image(painting(256, seed * kMotifs + motif));
     canvases[static_cast<std::size_t>(i)] = builder.material(material);
   }
   constexpr float kToRight = 0.25F;  // turns: faces +x, into the hall

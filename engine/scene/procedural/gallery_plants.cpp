@@ -93,7 +93,7 @@ Model palmModel(SceneBuilder& builder, std::int32_t fronds, std::int32_t bark, R
     leaf.droop = 0.85F + 0.25F * t + random.range(0.0F, 0.15F);
     leaf.width = random.range(0.36F, 0.44F);
     leaf.foot = path.back() + glm::vec3(0.0F, 0.05F * t, 0.0F);
-    const float tone = random.range(0.75F, 1.1F);
+    const float tone = random.range(0.68F, 1.0F);
     addLeaf(leaves, leaf, 12, {tone, tone, 0.9F * tone, 1.0F}, [](float) { return 1.0F; });
   }
   return {builder.shape(std::move(leaves), fronds), builder.shape(std::move(trunk), bark)};
@@ -112,7 +112,7 @@ std::uint32_t broadLeafShape(SceneBuilder& builder, std::int32_t material, Rando
     leaf.droop = 0.9F + 0.5F * t;
     leaf.width = random.range(0.20F, 0.27F);
     leaf.foot = {0.0F, 0.45F + 0.45F * t, 0.0F};
-    const float tone = random.range(0.7F, 1.15F);
+    const float tone = random.range(0.6F, 1.0F);
     addLeaf(mesh, leaf, 14, {tone, tone, tone, 1.0F}, [](float s) {
       // A stalk over the first fifth, then a lens.
       if (s < 0.2F) return 0.06F;
@@ -135,7 +135,7 @@ void addPlants(SceneBuilder& builder, const Palette& palette, std::uint64_t seed
   const std::int32_t fronds = builder.material(frondMaterial);
   const std::int32_t bark =
       builder.material(plainMaterial("bark", {0.20F, 0.13F, 0.08F, 1.0F}, 0.95F));
-  Material thin = plainMaterial("broad leaves", {0.10F, 0.34F, 0.09F, 0.80F}, 0.45F);
+  Material thin = plainMaterial("broad leaves", {0.115F, 0.39F, 0.105F, 0.80F}, 0.45F);
   thin.doubleSided = true;
   const std::int32_t leaves = builder.material(thin);
 

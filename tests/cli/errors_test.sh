@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# Bad input ends with one clear line and exit status 2, and leaves nothing half-written.
+set -uo pipefail
+macula=$1
+data=$MACULA_SOURCE/../shared/data
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+# refuses NAME WORD COMMAND...: status 2, one line on standard error, which holds WORD.
+refuses() {
+  local name=$1 word=$2
+  shift 2
+  "$@" >out.txt 2>err.txt
+  local status=$? lines
+  lines=$(wc -l <err.txt)
+  if [[ $status -ne 2 || $lines -ne 1 ]] || ! grep -qF -- "$word" err.txt; then
+    echo "FAILED $name: status $status, $lines lines, wanted '$word':"
+    head -5 err.txt
+    failures=$((failures + 1))
+  else
+    echo "ok $name: $(cat err.txt)"
+  fi
+}
+
+replay() { "$macula" replay "$@" --frames 1 --size 32x32 --out out; }
+
+: >empty.glb
+: >empty.csv
+head -c 100 /bin/ls >garbage.csv
+mkdir folder.glb
+"$macula" scene make layers-2 --out good.glb >/dev/null || exit 1
+head -c 200 good.glb >cut.glb
+mkdir locked
+chmod a-w locked
+
+refuses "wrong path" nowhere.glb replay nowhere.glb
+refuses "no such scene" smoke replay smokee
+refuses "empty file" empty.glb replay empty.glb
+refuses "folder" folder.glb replay folder.glb
+refuses "truncated" cut.glb replay cut.glb
+refuses "unknown setting" --k-ave replay layers-2 --k-avee 3
+refuses "unknown setting by --set" oit.kAve replay layers-2 --set oit.kAvee=3
+refuses "unknown method" kb-variable replay layers-2 --method kb-variabel
+refuses "size 0x0" --size "$macula" replay layers-2 --size 0x0 --out out
+refuses "size without cross" --size "$macula" replay layers-2 --size 100 --out out
+refuses "negative k_ave" k-ave replay layers-2 --k-ave -1
+refuses "k_ave not a number" k-ave replay layers-2 --k-ave nan
+refuses "unreadable log" nowhere.csv replay layers-2 --gaze nowhere.csv
+refuses "empty log" empty.csv replay layers-2 --gaze empty.csv
+refuses "no gaze log" garbage.csv replay layers-2 --gaze garbage.csv
+refuses "gaze off the window" 1.5 replay layers-2 --gaze 1.5,0.5
+refuses "no camera path" nowhere.csv replay layers-2 --camera nowhere.csv
+refuses "no environment" nowhere.hdr replay layers-2 --environment nowhere.hdr
+refuses "budget of nothing" oit-memory replay layers-2 --oit-memory 0.000001
+refuses "zero frames" frames "$macula" replay layers-2 --frames 0 --out out
+refuses "unknown subcommand" replay "$macula" replai
+refuses "no subcommand" subcommand "$macula"
+refuses "compare without a file" nowhere.png "$macula" compare nowhere.png nowhere.png
+refuses "gaze info of garbage" garbage.csv "$macula" gaze info garbage.csv
+refuses "scene info of a cut file" cut.glb "$macula" scene info cut.glb
+if [[ $(id -u) -ne 0 ]]; then
+  refuses "output folder locked" locked/out "$macula" replay layers-2 --frames 1 --out locked/out
+else
+  refuses "output folder under /proc" /proc/macula "$macula" replay layers-2 --frames 1 --out /proc/macula
+fi
+refuses "output is a file" good.glb "$macula" replay layers-2 --frames 1 --out good.glb
+GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1 \
+  refuses "context below 4.5" "4.5" "$macula" replay layers-2 --frames 1 --size 32x32 --out out --platform surfaceless
+if [[ -d $data/gltf-bad ]]; then
+  for file in "$data"/gltf-bad/*.gl*; do
+    timeout 60 "$macula" scene info "$file" >out.txt 2>err.txt
+    status=$?
+    if [[ $status -ne 0 && ($status -ne 2 || $(wc -l <err.txt) -ne 1) ]]; then
+      echo "FAILED $file: status $status"
+      failures=$((failures + 1))
+    fi
+  done
+else
+  echo "skipped: no shared data for malformed files"
+fi
+if compgen -G "out/*.part*" >/dev/null; then
+  echo "FAILED: something half-written is left"
+  failures=$((failures + 1))
+fi
+echo "$failures failures"
+exit $((failures > 0))

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""macula replay from outside: schema, determinism, budget, gaze that follows the log."""
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+MACULA = sys.argv[1]
+SOURCE = os.environ["MACULA_SOURCE"]
+DATA = os.path.join(SOURCE, "..", "shared", "data")
+
+
+def replay(folder, scene, *options):
+    out = os.path.join(folder, "run")
+    subprocess.run([MACULA, "replay", scene, "--out", out, *options], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(os.path.join(out, "report.json")) as f:
+        return json.load(f), out
+
+
+def check_schema(report):
+    assert list(report)[:8] == ["schema", "commit", "scene", "width", "height", "gl", "method",
+                                "sync"], list(report)
+    assert report["schema"] == 1
+    assert set(report["bytes"]) == {"oit", "budget", "overhead", "gbuffer"}
+    for i, frame in enumerate(report["frames"]):
+        assert frame["index"] == i
+        assert set(frame) == {"index", "time_s", "gaze", "r", "ms", "fragments", "k", "error",
+                              "exact", "image_sha256"}, set(frame)
+        assert set(frame["gaze"]) == {"x", "y", "raw_x", "raw_y", "state", "age_s"}
+        assert set(frame["error"]) == {"rmse", "psnr_db", "max", "flip"}
+        assert set(frame["fragments"]) == {"generated", "stored", "merged", "lost"}
+        assert 0 <= frame["gaze"]["x"] <= 1 and 0 <= frame["gaze"]["y"] <= 1
+        assert frame["ms"]["total"] > 0
+        assert len(frame["image_sha256"]) == 64
+    assert set(report["summary"]) >= {"ms", "error", "fragments"}
+
+
+def check_exact_layers(folder):
+    report, _ = replay(folder, "layers-64", "--method", "ab-sbuffer", "--frames", "2", "--size",
+                       "64x48", "--tonemap", "none")
+    check_schema(report)
+    for frame in report["frames"]:
+        assert frame["exact"] is True
+        assert frame["fragments"] == {"generated": 64 * 64 * 48, "stored": 64 * 64 * 48,
+                                      "merged": 0, "lost": 0}
+    assert report["bytes"]["budget"] is None
+
+
+def check_budget(folder):
+    report, _ = replay(folder, "layers-64", "--method", "kb-variable", "--k-ave", "8", "--frames",
+                       "2", "--size", "64x48", "--reference")
+    check_schema(report)
+    assert report["bytes"]["budget"] == 8 * 64 * 48 * 16
+    assert report["bytes"]["oit"] <= report["bytes"]["budget"]
+    for frame in report["frames"]:
+        f = frame["fragments"]
+        assert f["stored"] + f["merged"] + f["lost"] == f["generated"]
+        assert f["stored"] * 16 <= report["bytes"]["budget"]
+        assert frame["error"]["rmse"] > 0.001, "56 of 64 equal layers are missing on average"
+
+
+def check_identical_is_null(folder):
+    report, _ = replay(folder, "layers-4", "--method", "ab-sbuffer", "--frames", "1", "--size",
+                       "32x32", "--reference")
+    error = report["frames"][0]["error"]
+    assert error["rmse"] == 0 and error["psnr_db"] is None and error["max"] == 0, error
+
+
+def check_images(folder):
+    report, out = replay(folder, "layers-4", "--frames", "2", "--size", "32x24", "--reference",
+                         "--images", "png", "--k-ave", "2")
+    for stem in ("frame", "reference"):
+        for i in range(2):
+            assert os.path.exists(os.path.join(out, f"{stem}_{i:05}.png"))
+    # compare sees what the report says, up to the rounding to 8 bits
+    printed = subprocess.run([MACULA, "compare", os.path.join(out, "reference_00000.png"),
+                              os.path.join(out, "frame_00000.png"), "--json", "-"], check=True,
+                             capture_output=True, text=True).stdout
+    assert abs(json.loads(printed)["rmse"] - report["frames"][0]["error"]["rmse"]) < 2 / 255
+
+
+def check_deterministic(folder, scene, gaze):
+    options = ["--gaze", gaze, "--camera", "auto", "--frames", "8", "--size", "128x128",
+               "--method", "kb-variable", "--k-ave", "2", "--reference"]
+    a, _ = replay(folder, scene, *options)
+    b, _ = replay(folder, scene, *options)
+    check_schema(a)
+    for x, y in zip(a["frames"], b["frames"]):
+        for timeless in (x, y):
+            del timeless["ms"]
+        assert x == y, "two runs differ"
+    return a
+
+
+def check_gaze_follows(report, path):
+    """Every frame's raw gaze is the newest sample at or before its time."""
+    rows = []
+    with open(path, encoding="utf-8") as f:
+        header = f.readline().rstrip("\r\n").split("\t")
+        for line in f:
+            cell = dict(zip(header, line.rstrip("\r\n").split("\t")))
+            if cell.get("GazePointX"):
+                rows.append((int(cell["MicroSecondTimestamp"]), int(cell["GazePointX"]),
+                             int(cell["GazePointY"]), cell["ValidityLeft"], cell["ValidityRight"]))
+    start = rows[0][0]
+    for frame in report["frames"]:
+        known = [r for r in rows if (r[0] - start) * 1e-6 <= frame["time_s"] + 1e-6]
+        _, x, y, left, right = known[-1]
+        if left == "4" and right == "4":
+            continue
+        assert math.isclose(frame["gaze"]["raw_x"], x / 1280, abs_tol=1e-6), frame["gaze"]
+        assert math.isclose(frame["gaze"]["raw_y"], y / 1024, abs_tol=1e-6), frame["gaze"]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        check_exact_layers(folder)
+        check_budget(folder)
+        check_identical_is_null(folder)
+        check_images(folder)
+        demo = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
+        check_deterministic(folder, "layers-12", demo)
+        log = os.path.join(DATA, "gaze", "tobii_studio_50hz_decimal_comma.tsv")
+        dish = os.path.join(DATA, "gltf", "IridescentDishWithOlives.glb")
+        if os.path.exists(log) and os.path.exists(dish):
+            check_gaze_follows(check_deterministic(folder, dish, log), log)
+        else:
+            print("skipped: no shared data for the real scene and log")
+    print("replay: all checks passed")
+
+
+main()
