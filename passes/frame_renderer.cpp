@@ -26,7 +26,9 @@ constexpr std::uint32_t kDeepestBoundedSort = 4096;
 
 /// Room to spare when the pool of an exact method grows, so that a slow approach does not draw
 /// every frame twice.
-std::uint32_t grown(std::uint32_t needed) { return needed + needed / 8; }
+std::uint32_t grown(std::uint32_t needed) {
+  return needed + needed / 8;
+}
 
 SyncMode syncByName(const std::string& name) {
   for (const SyncMode mode :
@@ -58,9 +60,10 @@ void FrameRenderer::setScene(const scene::GpuScene& scene) {
 void FrameRenderer::resize(glm::ivec2 outputSize) {
   const int side = std::max(outputSize.x, outputSize.y) * settings_.tonemap.ssaa;
   if (side > machine_.capabilities.maxTextureSize) {
-    failInput("{}x{} with {} samples per axis is more than this GPU's {} texels a side; lower "
-              "--size or --ssaa", outputSize.x, outputSize.y, settings_.tonemap.ssaa,
-              machine_.capabilities.maxTextureSize);
+    failInput(
+        "{}x{} with {} samples per axis is more than this GPU's {} texels a side; lower "
+        "--size or --ssaa",
+        outputSize.x, outputSize.y, settings_.tonemap.ssaa, machine_.capabilities.maxTextureSize);
   }
   inputs_.outputSize = outputSize;
   settingsChanged();
@@ -132,8 +135,8 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);
   inputs_.gaze = gaze;
-  const bool jumped = lastCamera_ && scene::isCameraCut(*lastCamera_, camera,
-                                                        inputs_.gpu->bounds().radius());
+  const bool jumped =
+      lastCamera_ && scene::isCameraCut(*lastCamera_, camera, inputs_.gpu->bounds().radius());
   inputs_.historyValid = historyUsable_ && !cut && !jumped;
   plan_.layerLimit = settings_.importance.layerLimit > 0.0
                          ? static_cast<float>(settings_.importance.layerLimit)
@@ -186,8 +189,8 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) const {
   const bool sorts = plan_.method->insertion == Insertion::Appended;
   const bool sortable = !sorts || machine_.capabilities.maxLoopIterations == 0 ||
                         totals.countMax <= kDeepestBoundedSort;
-  result.exact = counts.lost == 0 && totals.cursor <= plan_.slots &&
-                 plan_.sync != SyncMode::None && sortable;
+  result.exact =
+      counts.lost == 0 && totals.cursor <= plan_.slots && plan_.sync != SyncMode::None && sortable;
   return result;
 }
 

@@ -34,14 +34,14 @@ struct LayerStatistics {
 };
 
 struct FrameResult {
-  double totalMs = 0.0;  ///< from glFinish to glFinish
+  double totalMs = 0.0;                     ///< from glFinish to glFinish
   std::span<const frame::PassTime> passes;  ///< until the next frame
   std::optional<FragmentCounts> fragments;  ///< none where the method does not count
   std::optional<LayerStatistics> layers;
-  std::uint32_t deepest = 0;     ///< largest number of fragments in a sample
+  std::uint32_t deepest = 0;  ///< largest number of fragments in a sample
   std::uint32_t lockFailures = 0;
-  bool exact = false;            ///< every fragment reached the image in its place
-  int recaptures = 0;            ///< times the frame was drawn again with a larger pool
+  bool exact = false;  ///< every fragment reached the image in its place
+  int recaptures = 0;  ///< times the frame was drawn again with a larger pool
 };
 
 class FrameRenderer {

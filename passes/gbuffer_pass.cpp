@@ -32,8 +32,9 @@ void GBufferPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
 
 void GBufferPass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::Normal, Resource::BaseColor, Resource::Surface, Resource::Emissive},
-                      Resource::Depth);
+  context.bindTargets(
+      {Resource::Normal, Resource::BaseColor, Resource::Surface, Resource::Emissive},
+      Resource::Depth);
   gl::apply({.depthTest = true, .depthWrite = true, .encodeSrgb = true});
   // Only depth is cleared: where it stays 0, nobody looks at the rest.
   constexpr GLfloat kFar = 0.0F;

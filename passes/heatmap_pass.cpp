@@ -29,8 +29,8 @@ constexpr std::array kMaps{
 };
 
 const Map* find(const std::string& name) {
-  const auto it = std::find_if(kMaps.begin(), kMaps.end(),
-                               [&](const Map& map) { return map.name == name; });
+  const auto it =
+      std::find_if(kMaps.begin(), kMaps.end(), [&](const Map& map) { return map.name == name; });
   return it == kMaps.end() ? nullptr : &*it;
 }
 
@@ -58,8 +58,8 @@ double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) 
   if (needsFactors(settings.map)) return 1.0;
   if (settings.range > 0.0) return settings.range;
   constexpr double kLeast = 4.0;  // so that a picture of one layer is not all hot
-  const double largest = settings.map == "k" ? plan.largestLayers : plan.layerLimit;
-  return std::max(kLeast, largest);
+  if (settings.map == "k") return std::max(kLeast, static_cast<double>(plan.largestLayers));
+  return std::max(kLeast, static_cast<double>(plan.layerLimit));
 }
 
 void HeatmapPass::declare(frame::PassDeclaration& d) const {

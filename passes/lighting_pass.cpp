@@ -30,8 +30,10 @@ bool LightingPass::hasWork(const frame::FrameInputs& in) const {
 
 std::string LightingPass::reason(const frame::FrameInputs& in) const {
   if (in.facts.litOpaque) return "opaque surfaces are lit";
-  if (in.facts.opaqueTriangles > 0) return "unlit opaque surfaces are copied; no light is evaluated";
-  return in.facts.environment ? "the environment is the background" : "nothing opaque, no environment";
+  if (in.facts.opaqueTriangles > 0)
+    return "unlit opaque surfaces are copied; no light is evaluated";
+  return in.facts.environment ? "the environment is the background"
+                              : "nothing opaque, no environment";
 }
 
 void LightingPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {

@@ -49,12 +49,12 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
 void registerSettings(settings::Registry& registry, RenderSettings& s) {
   registerOit(registry, s.oit);
   registerImportance(registry, s.importance);
-  registry.addChoice({.key = "tonemap.curve",
-                      .alias = "tonemap",
-                      .help = "none writes linear values as they are"},
-                     s.tonemap.curve, {"none", "neutral", "aces"});
-  registry.add({.key = "tonemap.exposure", .alias = "exposure", .unit = "stops", .help = "brighter"},
-               s.tonemap.exposure, {.min = -32.0, .max = 32.0});
+  registry.addChoice(
+      {.key = "tonemap.curve", .alias = "tonemap", .help = "none writes linear values as they are"},
+      s.tonemap.curve, {"none", "neutral", "aces"});
+  registry.add(
+      {.key = "tonemap.exposure", .alias = "exposure", .unit = "stops", .help = "brighter"},
+      s.tonemap.exposure, {.min = -32.0, .max = 32.0});
   registry.addNumberChoice({.key = "frame.ssaa",
                             .alias = "ssaa",
                             .unit = "samples per axis",

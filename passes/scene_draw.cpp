@@ -3,7 +3,8 @@
 namespace macula::passes {
 
 bool needsShadowMap(const scene::SceneFacts& facts) {
-  return facts.shadowLight && facts.opaqueTriangles > 0 && (facts.litOpaque || facts.litTransparent);
+  return facts.shadowLight && facts.opaqueTriangles > 0 &&
+         (facts.litOpaque || facts.litTransparent);
 }
 
 gl::Defines lightingDefines(const scene::SceneFacts& facts) {

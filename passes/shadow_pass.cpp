@@ -13,7 +13,9 @@ void ShadowPass::declare(frame::PassDeclaration& d) const {
   d.keeps(Resource::ShadowMap, Use::DepthTarget);
 }
 
-bool ShadowPass::hasWork(const frame::FrameInputs& in) const { return needsShadowMap(in.facts); }
+bool ShadowPass::hasWork(const frame::FrameInputs& in) const {
+  return needsShadowMap(in.facts);
+}
 
 std::string ShadowPass::reason(const frame::FrameInputs& in) const {
   if (!in.facts.shadowLight) return "no directional light casts shadows";

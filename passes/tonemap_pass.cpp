@@ -27,7 +27,9 @@ void TonemapPass::declare(frame::PassDeclaration& d) const {
   if (settings_.linearOut) d.writes(Resource::LinearColor, Use::Image);
 }
 
-bool TonemapPass::hasWork(const frame::FrameInputs& /*in*/) const { return true; }
+bool TonemapPass::hasWork(const frame::FrameInputs& /*in*/) const {
+  return true;
+}
 
 std::string TonemapPass::reason(const frame::FrameInputs& /*in*/) const {
   return "every frame is shown";

@@ -23,17 +23,20 @@ std::string readTextFile(const fs::path& path) {
   if (fs::is_directory(path, error)) {
     failInput("{}: is a folder; name a file in it", path.string());
   }
+  if (!fs::is_regular_file(path, error)) {  // a device may never end
+    failInput("{}: is no regular file; name one", path.string());
+  }
   std::ifstream in(path, std::ios::binary);
   if (!in) {
-    failInput("{}: cannot be read ({}); check its permissions", path.string(), std::strerror(errno));
+    failInput("{}: cannot be read ({}); check its permissions", path.string(),
+              std::strerror(errno));
   }
   std::ostringstream bytes;
   bytes << in.rdbuf();
   return std::move(bytes).str();
 }
 
-void writeFileAtomically(const fs::path& path,
-                         const std::function<void(const fs::path&)>& write) {
+void writeFileAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   fs::path temporary = path;
   temporary.replace_extension();
   temporary += ".part";
@@ -92,8 +95,10 @@ fs::path dataFolder(std::string_view name) {
   for (const fs::path& root : roots) {
     if (fs::is_directory(root / name, error)) return (root / name).lexically_normal();
   }
-  failInput("the folder '{}' that ships with Macula is missing; set MACULA_DATA to the folder that "
-            "holds it", name);
+  failInput(
+      "the folder '{}' that ships with Macula is missing; set MACULA_DATA to the folder that "
+      "holds it",
+      name);
 }
 
 }  // namespace macula

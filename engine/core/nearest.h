@@ -9,6 +9,7 @@ namespace macula {
 
 /// The candidate with the least edit distance to `name` (Levenshtein 1966: insertions, deletions,
 /// substitutions; here without regard to case); the first of several; empty where there are none.
-[[nodiscard]] std::string nearestName(std::string_view name, std::span<const std::string> candidates);
+[[nodiscard]] std::string nearestName(std::string_view name,
+                                      std::span<const std::string> candidates);
 
 }  // namespace macula

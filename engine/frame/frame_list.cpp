@@ -14,7 +14,9 @@ std::vector<Touch> touchesOf(const Pass& pass) {
   return declaration.touches();
 }
 
-std::size_t indexOf(Resource r) { return static_cast<std::size_t>(r); }
+std::size_t indexOf(Resource r) {
+  return static_cast<std::size_t>(r);
+}
 
 }  // namespace
 

@@ -9,9 +9,13 @@
 namespace macula::frame {
 namespace {
 
-std::size_t indexOf(Resource r) { return static_cast<std::size_t>(r); }
+std::size_t indexOf(Resource r) {
+  return static_cast<std::size_t>(r);
+}
 
-bool isInteger(GLenum format) { return format == GL_R32UI || format == GL_RG32UI; }
+bool isInteger(GLenum format) {
+  return format == GL_R32UI || format == GL_RG32UI;
+}
 
 }  // namespace
 
@@ -56,8 +60,10 @@ void FrameResources::allocate(std::span<const Resource> needed, glm::ivec2 outpu
     if (info.size == SizeRule::Bytes) {
       const std::size_t bytes = bufferBytes_[i];
       if (static_cast<std::int64_t>(bytes) > maxStorageBlockBytes) {
-        failInput("{} needs {} bytes, and this GPU takes {} in one buffer; lower --k-ave or "
-                  "--oit-memory, or --size", info.name, bytes, maxStorageBlockBytes);
+        failInput(
+            "{} needs {} bytes, and this GPU takes {} in one buffer; lower --k-ave or "
+            "--oit-memory, or --size",
+            info.name, bytes, maxStorageBlockBytes);
       }
       if (buffer.bytes() == bytes) continue;
       buffer = {};
@@ -113,8 +119,8 @@ ResourceBytes FrameResources::bytes() const {
 
 GLuint FrameResources::framebuffer(std::initializer_list<Resource> colors, Resource depth) {
   for (const Cached& cached : framebuffers_) {
-    if (cached.depth == depth && std::equal(cached.colors.begin(), cached.colors.end(),
-                                            colors.begin(), colors.end())) {
+    if (cached.depth == depth &&
+        std::equal(cached.colors.begin(), cached.colors.end(), colors.begin(), colors.end())) {
       return cached.id.id();
     }
   }

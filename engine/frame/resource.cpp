@@ -47,6 +47,8 @@ const ResourceInfo& infoOf(Resource resource) {
   return kResources[static_cast<std::size_t>(resource)];
 }
 
-std::string_view nameOf(Resource resource) { return infoOf(resource).name; }
+std::string_view nameOf(Resource resource) {
+  return infoOf(resource).name;
+}
 
 }  // namespace macula::frame

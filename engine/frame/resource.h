@@ -39,7 +39,8 @@ inline constexpr std::size_t kResourceCount = static_cast<std::size_t>(Resource:
 enum class SizeRule : std::uint8_t {
   Output,        ///< the window or image
   Display,       ///< samples: the output times supersampling
-  DisplayOverR,  ///< display / r; allocated at full size, so that a change of r moves viewports only
+  DisplayOverR,  ///< display / r; allocated at full size, so that a change of r moves viewports
+                 ///< only
   Fixed,         ///< set by FrameResources::setFixedSize
   Bytes,         ///< a buffer, set by FrameResources::setBufferBytes
 };

@@ -25,7 +25,9 @@ DebugLog::DebugLog() {
   glDebugMessageCallback(receive, this);
 }
 
-DebugLog::~DebugLog() { glDebugMessageCallback(nullptr, nullptr); }
+DebugLog::~DebugLog() {
+  glDebugMessageCallback(nullptr, nullptr);
+}
 
 void DebugLog::add(GLenum /*type*/, GLuint id, std::string_view text) {
   outOfMemory_ = outOfMemory_ || id == GL_OUT_OF_MEMORY;
@@ -36,6 +38,8 @@ DebugGroup::DebugGroup(std::string_view name) {
   glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
 }
 
-DebugGroup::~DebugGroup() { glPopDebugGroup(); }
+DebugGroup::~DebugGroup() {
+  glPopDebugGroup();
+}
 
 }  // namespace macula::gl

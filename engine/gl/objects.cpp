@@ -7,21 +7,35 @@
 
 namespace macula::gl {
 
-void BufferTraits::remove(GLuint id) { glDeleteBuffers(1, &id); }
-void TextureTraits::remove(GLuint id) { glDeleteTextures(1, &id); }
-void SamplerTraits::remove(GLuint id) { glDeleteSamplers(1, &id); }
-void FramebufferTraits::remove(GLuint id) { glDeleteFramebuffers(1, &id); }
-void VertexArrayTraits::remove(GLuint id) { glDeleteVertexArrays(1, &id); }
-void ProgramTraits::remove(GLuint id) { glDeleteProgram(id); }
-void QueryTraits::remove(GLuint id) { glDeleteQueries(1, &id); }
+void BufferTraits::remove(GLuint id) {
+  glDeleteBuffers(1, &id);
+}
+void TextureTraits::remove(GLuint id) {
+  glDeleteTextures(1, &id);
+}
+void SamplerTraits::remove(GLuint id) {
+  glDeleteSamplers(1, &id);
+}
+void FramebufferTraits::remove(GLuint id) {
+  glDeleteFramebuffers(1, &id);
+}
+void VertexArrayTraits::remove(GLuint id) {
+  glDeleteVertexArrays(1, &id);
+}
+void ProgramTraits::remove(GLuint id) {
+  glDeleteProgram(id);
+}
+void QueryTraits::remove(GLuint id) {
+  glDeleteQueries(1, &id);
+}
 
 namespace {
 
 void failIfOutOfMemory(std::string_view what, std::size_t bytes) {
   if (glGetError() == GL_OUT_OF_MEMORY) {
     constexpr double kMebi = 1024.0 * 1024.0;
-    failInput("the GPU has no memory for {} ({:.1f} MiB); use a smaller --size or --oit-memory", what,
-              static_cast<double>(bytes) / kMebi);
+    failInput("the GPU has no memory for {} ({:.1f} MiB); use a smaller --size or --oit-memory",
+              what, static_cast<double>(bytes) / kMebi);
   }
 }
 

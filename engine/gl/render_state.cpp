@@ -3,7 +3,9 @@
 namespace macula::gl {
 namespace {
 
-void enable(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
+void enable(GLenum capability, bool on) {
+  on ? glEnable(capability) : glDisable(capability);
+}
 
 }  // namespace
 

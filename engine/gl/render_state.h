@@ -14,11 +14,11 @@ enum class Blend : std::uint8_t {
 };
 
 struct RenderState {
-  bool depthTest = false;     ///< GL_DEPTH_TEST
+  bool depthTest = false;        ///< GL_DEPTH_TEST
   GLenum depthFunc = GL_GEQUAL;  ///< glDepthFunc; reversed depth: nearer is greater
-  bool depthWrite = false;    ///< glDepthMask
-  Blend blend = Blend::Off;   ///< GL_BLEND and glBlendFunc
-  bool encodeSrgb = false;    ///< GL_FRAMEBUFFER_SRGB
+  bool depthWrite = false;       ///< glDepthMask
+  Blend blend = Blend::Off;      ///< GL_BLEND and glBlendFunc
+  bool encodeSrgb = false;       ///< GL_FRAMEBUFFER_SRGB
 };
 
 void apply(const RenderState& state);

@@ -23,9 +23,9 @@ class FrameTimer {
  public:
   static constexpr std::size_t kMaxMarks = 64;
   explicit FrameTimer(TimeSource source);
-  void begin();           ///< the first mark; waits for earlier work
-  void mark();            ///< the end of one interval and the begin of the next
-  void end();             ///< waits for the GPU and takes the total by the steady clock
+  void begin();  ///< the first mark; waits for earlier work
+  void mark();   ///< the end of one interval and the begin of the next
+  void end();    ///< waits for the GPU and takes the total by the steady clock
   [[nodiscard]] TimeSource source() const { return source_; }
   /// Milliseconds of interval i, in the order of the calls of mark(). Valid after end().
   [[nodiscard]] double intervalMs(std::size_t i) const { return intervals_[i]; }

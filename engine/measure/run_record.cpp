@@ -11,7 +11,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN and no infinity: both mean that there is no such value.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 template <typename T>
 Json orNull(const std::optional<T>& value) {
@@ -30,8 +32,8 @@ Json fragmentsJson(const std::optional<FragmentNumbers>& f) {
   if (!f) {
     return {{"generated", nullptr}, {"stored", nullptr}, {"merged", nullptr}, {"lost", nullptr}};
   }
-  return {{"generated", f->generated}, {"stored", f->stored}, {"merged", f->merged},
-          {"lost", f->lost}};
+  return {
+      {"generated", f->generated}, {"stored", f->stored}, {"merged", f->merged}, {"lost", f->lost}};
 }
 
 Json layersJson(const std::optional<LayerNumbers>& k) {
@@ -107,24 +109,23 @@ Json summaryJson(const RunRecord& run) {
 }  // namespace
 
 Json toJson(const RunRecord& run) {
-  Json report{{"schema", 1},
-              {"commit", run.commit},
-              {"scene", run.scene},
-              {"width", run.width},
-              {"height", run.height},
-              {"gl",
-               {{"renderer", run.renderer},
-                {"version", run.version},
-                {"time_source", run.timeSource}}},
-              {"method", run.method},
-              {"sync", orNull(run.sync)},
-              {"settings", Json(run.settings)},
-              {"bytes",
-               {{"oit", run.oitBytes},
-                {"budget", orNull(run.budgetBytes)},
-                {"overhead", run.overheadBytes},
-                {"gbuffer", run.gbufferBytes}}},
-              {"frames", Json::array()}};
+  Json report{
+      {"schema", 1},
+      {"commit", run.commit},
+      {"scene", run.scene},
+      {"width", run.width},
+      {"height", run.height},
+      {"gl",
+       {{"renderer", run.renderer}, {"version", run.version}, {"time_source", run.timeSource}}},
+      {"method", run.method},
+      {"sync", orNull(run.sync)},
+      {"settings", Json(run.settings)},
+      {"bytes",
+       {{"oit", run.oitBytes},
+        {"budget", orNull(run.budgetBytes)},
+        {"overhead", run.overheadBytes},
+        {"gbuffer", run.gbufferBytes}}},
+      {"frames", Json::array()}};
   for (const FrameRecord& frame : run.frames) report["frames"].push_back(frameJson(frame));
   report["summary"] = summaryJson(run);
   return report;

@@ -25,8 +25,8 @@ Panorama halved(const Panorama& in) {
     for (int x = 0; x < out.width; ++x) {
       const int x1 = std::min(2 * x + 1, in.width - 1);
       const int y1 = std::min(2 * y + 1, in.height - 1);
-      out.pixels.push_back(0.25F * (in.at(2 * x, 2 * y) + in.at(x1, 2 * y) + in.at(2 * x, y1) +
-                                    in.at(x1, y1)));
+      out.pixels.push_back(
+          0.25F * (in.at(2 * x, 2 * y) + in.at(x1, 2 * y) + in.at(2 * x, y1) + in.at(x1, y1)));
     }
   }
   return out;
@@ -42,7 +42,8 @@ glm::vec3 sampleBilinear(const Panorama& p, glm::vec2 uv) {
     return i < 0 ? i + p.width : i;
   };
   const auto row = [&](float y) { return std::clamp(static_cast<int>(y), 0, p.height - 1); };
-  const glm::vec3 top = glm::mix(p.at(column(x0), row(y0)), p.at(column(x0 + 1.0F), row(y0)), fx - x0);
+  const glm::vec3 top =
+      glm::mix(p.at(column(x0), row(y0)), p.at(column(x0 + 1.0F), row(y0)), fx - x0);
   const glm::vec3 low =
       glm::mix(p.at(column(x0), row(y0 + 1.0F)), p.at(column(x0 + 1.0F), row(y0 + 1.0F)), fx - x0);
   return glm::mix(top, low, fy - y0);
@@ -63,8 +64,9 @@ Panorama blurred(const Panorama& in, float roughness) {
   const float a = roughness * roughness;
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
-      const glm::vec3 n = directionOf((static_cast<float>(x) + 0.5F) / static_cast<float>(in.width),
-                                      (static_cast<float>(y) + 0.5F) / static_cast<float>(in.height));
+      const glm::vec3 n =
+          directionOf((static_cast<float>(x) + 0.5F) / static_cast<float>(in.width),
+                      (static_cast<float>(y) + 0.5F) / static_cast<float>(in.height));
       const glm::vec3 up = std::abs(n.y) < 0.99F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
       const glm::vec3 tangent = glm::normalize(glm::cross(up, n));
       const glm::vec3 bitangent = glm::cross(n, tangent);
@@ -104,13 +106,13 @@ std::array<float, 9> harmonics(const glm::vec3& d) {
 }
 
 /// Convolution with the clamped cosine over pi: A_l / pi of Ramamoorthi and Hanrahan 2001, Eq. 8.
-constexpr std::array<float, 9> kCosineLobe{1.0F,        2.0F / 3.0F, 2.0F / 3.0F,
-                                           2.0F / 3.0F, 0.25F,       0.25F,
-                                           0.25F,       0.25F,       0.25F};
+constexpr std::array<float, 9> kCosineLobe{1.0F,  2.0F / 3.0F, 2.0F / 3.0F, 2.0F / 3.0F, 0.25F,
+                                           0.25F, 0.25F,       0.25F,       0.25F};
 
 std::array<glm::vec3, 9> irradianceOf(const Panorama& p) {
   std::array<glm::vec3, 9> sum{};
-  const float texel = (2.0F * kPi / static_cast<float>(p.width)) * (kPi / static_cast<float>(p.height));
+  const float texel =
+      (2.0F * kPi / static_cast<float>(p.width)) * (kPi / static_cast<float>(p.height));
   for (int y = 0; y < p.height; ++y) {
     const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(p.height);
     const float solidAngle = texel * std::sin(v * kPi);

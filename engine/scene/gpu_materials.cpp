@@ -23,13 +23,14 @@ std::array<const TextureRef*, MATERIAL_TEXTURES> texturesOf(const Material& m) {
           &m.emissiveTexture};
 }
 
-bool isColor(std::size_t slot) { return slot == TEX_BASE_COLOR || slot == TEX_EMISSIVE; }
+bool isColor(std::size_t slot) {
+  return slot == TEX_BASE_COLOR || slot == TEX_EMISSIVE;
+}
 
 gl::Texture upload(const Image& image, bool srgb) {
   const auto side = static_cast<unsigned>(std::max(image.width, image.height));
-  gl::Texture texture(image.name.empty() ? "image" : image.name,
-                      srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height,
-                      static_cast<int>(std::bit_width(side)));
+  gl::Texture texture(image.name.empty() ? "image" : image.name, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                      image.width, image.height, static_cast<int>(std::bit_width(side)));
   glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       image.rgba.data());
   glGenerateTextureMipmap(texture.id());
@@ -90,7 +91,8 @@ shader::LightData dataOf(const Light& light) {
   d.position = glm::vec4(light.position, type);
   d.direction = glm::vec4(light.direction, light.range);
   d.color = glm::vec4(light.color * light.intensity, light.castsShadow ? 1.0F : 0.0F);
-  // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 keeps equal angles from dividing by 0.
+  // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 keeps equal angles from dividing by
+  // 0.
   const float cosOuter = std::cos(light.outerConeAngle);
   d.cone.x = 1.0F / std::max(0.001F, std::cos(light.innerConeAngle) - cosOuter);
   d.cone.y = -cosOuter * d.cone.x;
@@ -124,8 +126,7 @@ void GpuScene::uploadTextures(const Scene& scene) {
       if (ref.image == kNone) continue;
       GLuint& id = uploaded[{ref.image, isColor(slot)}];
       if (id == 0) {
-        images_.push_back(
-            upload(scene.images[static_cast<std::size_t>(ref.image)], isColor(slot)));
+        images_.push_back(upload(scene.images[static_cast<std::size_t>(ref.image)], isColor(slot)));
         id = images_.back().id();
       }
       samplers_.push_back(makeSampler(ref.sampler));

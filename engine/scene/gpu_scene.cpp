@@ -12,7 +12,9 @@
 namespace macula::scene {
 namespace {
 
-glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
+glm::vec4 row(const glm::mat4& m, int i) {
+  return {m[0][i], m[1][i], m[2][i], m[3][i]};
+}
 
 template <typename T>
 gl::Buffer bufferOf(std::string_view label, const std::vector<T>& values) {
@@ -72,10 +74,9 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
     const float determinant = glm::determinant(linear);
     // A flattening transform has no inverse; its normals come out as zero and are mended in the
     // shader by the default direction.
-    const glm::mat3 normal =
-        std::abs(determinant) > std::numeric_limits<float>::min()
-            ? glm::transpose(glm::inverse(linear))
-            : glm::mat3(0.0F);
+    const glm::mat3 normal = std::abs(determinant) > std::numeric_limits<float>::min()
+                                 ? glm::transpose(glm::inverse(linear))
+                                 : glm::mat3(0.0F);
     const glm::mat4 n(normal);
     const auto triangles = static_cast<std::uint32_t>(primitive.indices.size() / 3);
     shader::Instance data{};

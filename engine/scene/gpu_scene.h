@@ -28,8 +28,8 @@ struct DrawRun {
 
 /// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
 struct DrawList {
-  std::vector<DrawRun> runs;         ///< by cull mode, shading and material
-  std::vector<DrawRun> depthRuns;    ///< merged: only the cull mode and MASK materials split them
+  std::vector<DrawRun> runs;       ///< by cull mode, shading and material
+  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and MASK materials split them
   gl::Buffer commands;
   std::uint64_t triangles = 0;
   [[nodiscard]] bool empty() const { return runs.empty(); }

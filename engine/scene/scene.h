@@ -100,9 +100,9 @@ enum class LightType : std::uint8_t { Directional, Point, Spot };
 /// KHR_lights_punctual, already in world space.
 struct Light {
   LightType type = LightType::Directional;
-  glm::vec3 color{1.0F};     ///< linear RGB
-  float intensity = 1.0F;    ///< lux (directional) or candela (point, spot)
-  glm::vec3 position{0.0F};  ///< point and spot
+  glm::vec3 color{1.0F};                   ///< linear RGB
+  float intensity = 1.0F;                  ///< lux (directional) or candela (point, spot)
+  glm::vec3 position{0.0F};                ///< point and spot
   glm::vec3 direction{0.0F, 0.0F, -1.0F};  ///< the way the light travels, unit length
   float range = 0.0F;                      ///< metres; 0 means infinite
   float innerConeAngle = 0.0F;             ///< radians

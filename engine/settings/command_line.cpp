@@ -129,7 +129,7 @@ std::vector<std::pair<const CLI::Option*, std::string>> inOrder(const CLI::App& 
 
 void addOptions(CLI::App& app, const Registry& registry) {
   app.add_option(kConfig)
-      ->description("Read settings from a TOML file; options go before it (repeatable)")
+      ->description("Read settings from a TOML file; options on the line win over it (repeatable)")
       ->type_name("FILE.toml")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group("Settings");

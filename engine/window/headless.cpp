@@ -120,11 +120,11 @@ struct HeadlessContext::Egl {
   }
 };
 
-HeadlessContext::HeadlessContext(EglPlatform platform, bool debug)
-    : egl_(std::make_unique<Egl>()) {
+HeadlessContext::HeadlessContext(EglPlatform platform, bool debug) : egl_(std::make_unique<Egl>()) {
   bool open = false;
   if (platform == EglPlatform::Auto) {
-    open = egl_->openDevice(debug, true, description_) || egl_->openSurfaceless(debug, description_) ||
+    open = egl_->openDevice(debug, true, description_) ||
+           egl_->openSurfaceless(debug, description_) ||
            egl_->openDevice(debug, false, description_);
   } else if (platform == EglPlatform::Surfaceless) {
     open = egl_->openSurfaceless(debug, description_);
@@ -132,9 +132,10 @@ HeadlessContext::HeadlessContext(EglPlatform platform, bool debug)
     open = egl_->openDevice(debug, false, description_);
   }
   if (!open) {
-    failInput("no OpenGL 4.5 core context without a window{}{}; install a driver that offers one "
-              "(Mesa's llvmpipe does) or unset what forbids it",
-              egl_->highestSeen.empty() ? "" : ": ", egl_->highestSeen);
+    failInput(
+        "no OpenGL 4.5 core context without a window{}{}; install a driver that offers one "
+        "(Mesa's llvmpipe does) or unset what forbids it",
+        egl_->highestSeen.empty() ? "" : ": ", egl_->highestSeen);
   }
 }
 

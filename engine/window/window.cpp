@@ -19,8 +19,9 @@ std::string glfwReason() {
 
 Window::Window(const Settings& settings) {
   if (glfwInit() != GLFW_TRUE) {
-    failInput("no display to open a window on ({}); set DISPLAY, or use 'macula replay' without one",
-              glfwReason());
+    failInput(
+        "no display to open a window on ({}); set DISPLAY, or use 'macula replay' without one",
+        glfwReason());
   }
   glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
@@ -30,13 +31,15 @@ Window::Window(const Settings& settings) {
   // The frame has its own depth; the window needs only colour.
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
-  window_ = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr,
-                             nullptr);
+  window_ =
+      glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
     const std::string reason = glfwReason();
     glfwTerminate();
-    failInput("no window with OpenGL 4.5 core ({}); use a newer driver, or 'macula replay' without "
-              "a window", reason);
+    failInput(
+        "no window with OpenGL 4.5 core ({}); use a newer driver, or 'macula replay' without "
+        "a window",
+        reason);
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(settings.vsync ? 1 : 0);
@@ -47,10 +50,18 @@ Window::~Window() {
   glfwTerminate();
 }
 
-bool Window::shouldClose() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
-void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
-void Window::pollEvents() { glfwPollEvents(); }
-void Window::swap() { glfwSwapBuffers(window_); }
+bool Window::shouldClose() const {
+  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+void Window::requestClose() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::pollEvents() {
+  glfwPollEvents();
+}
+void Window::swap() {
+  glfwSwapBuffers(window_);
+}
 
 glm::ivec2 Window::framebufferSize() const {
   glm::ivec2 size{0};
@@ -69,7 +80,9 @@ glm::vec2 Window::pointer() const {
   return {static_cast<float>(x / width), static_cast<float>(y / height)};
 }
 
-bool Window::keyDown(int glfwKey) const { return glfwGetKey(window_, glfwKey) == GLFW_PRESS; }
+bool Window::keyDown(int glfwKey) const {
+  return glfwGetKey(window_, glfwKey) == GLFW_PRESS;
+}
 
 bool Window::mouseDown(int glfwButton) const {
   return glfwGetMouseButton(window_, glfwButton) == GLFW_PRESS;

@@ -13,7 +13,7 @@ namespace macula::window {
 class Window {
  public:
   struct Settings {
-    int width = 1280;   ///< client area, screen coordinates
+    int width = 1280;  ///< client area, screen coordinates
     int height = 720;
     std::string title = "Macula";
     bool debug = false;  ///< debug context

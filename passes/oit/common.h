@@ -22,8 +22,9 @@ inline void dispatchStrips(const frame::PassContext& context) {
 inline std::string transparencyReason(const frame::FrameInputs& in, bool wanted,
                                       std::string_view method) {
   if (in.facts.transparentTriangles == 0) return "nothing transparent";
-  return wanted ? fmt::format("{} transparent triangles by {}", in.facts.transparentTriangles, method)
-                : fmt::format("{} does not use it", method);
+  return wanted
+             ? fmt::format("{} transparent triangles by {}", in.facts.transparentTriangles, method)
+             : fmt::format("{} does not use it", method);
 }
 
 }  // namespace macula::passes

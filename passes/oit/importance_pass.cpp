@@ -18,8 +18,7 @@ void ImportancePass::declare(frame::PassDeclaration& d) const {
 }
 
 bool ImportancePass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 &&
-         plan_.method->allocation == Allocation::ImportanceMap;
+  return in.facts.transparentTriangles > 0 && plan_.method->allocation == Allocation::ImportanceMap;
 }
 
 std::string ImportancePass::reason(const frame::FrameInputs& in) const {

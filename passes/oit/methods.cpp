@@ -23,7 +23,9 @@ constexpr std::array kMethods{
 
 }  // namespace
 
-std::span<const Method> methods() { return kMethods; }
+std::span<const Method> methods() {
+  return kMethods;
+}
 
 const Method& methodById(std::string_view id) {
   std::vector<std::string> known;

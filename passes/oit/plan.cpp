@@ -16,12 +16,16 @@ void planBudget(OitPlan& plan, const OitSettings& settings, std::uint64_t sample
   // Products of importance and slots must stay exact in shaders/lib/budget.glsl.
   constexpr double kMostSlots = 1U << 29U;
   if (fragments < 1.0) {
-    failInput("the transparency budget holds no fragment ({} bytes each); raise --k-ave or "
-              "--oit-memory", kFragmentBytes);
+    failInput(
+        "the transparency budget holds no fragment ({} bytes each); raise --k-ave or "
+        "--oit-memory",
+        kFragmentBytes);
   }
   if (fragments > kMostSlots) {
-    failInput("the transparency budget of {:.0f} fragments is more than {:.0f}; lower --k-ave or "
-              "--oit-memory", fragments, kMostSlots);
+    failInput(
+        "the transparency budget of {:.0f} fragments is more than {:.0f}; lower --k-ave or "
+        "--oit-memory",
+        fragments, kMostSlots);
   }
   plan.slots = static_cast<std::uint32_t>(fragments);
   plan.budgetBytes = settings.memoryMiB > 0.0

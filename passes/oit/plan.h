@@ -22,11 +22,11 @@ struct OitSettings {
 
 /// Settings of the importance map (Vasilakis 2017, Eq. 3-6).
 struct ImportanceSettings {
-  double rangeBias = 0.35;      ///< alpha of Eq. 3
-  double periphery = 3.0;       ///< d of Eq. 4
-  double noise = 0.1;           ///< lambda of Eq. 6
-  double layerLimit = 0.0;      ///< N_limit of Eq. 3; 0: the largest count seen so far
-  bool noisePerFrame = false;   ///< a new xi every frame
+  double rangeBias = 0.35;     ///< alpha of Eq. 3
+  double periphery = 3.0;      ///< d of Eq. 4
+  double noise = 0.1;          ///< lambda of Eq. 6
+  double layerLimit = 0.0;     ///< N_limit of Eq. 3; 0: the largest count seen so far
+  bool noisePerFrame = false;  ///< a new xi every frame
 };
 
 /// Bytes of one stored fragment: 32-bit depth, 32-bit id, premultiplied RGBA16F.
@@ -36,12 +36,12 @@ inline constexpr std::uint64_t kFragmentBytes = 16;
 struct OitPlan {
   const Method* method = nullptr;
   SyncMode sync = SyncMode::Spinlock;
-  std::uint32_t slots = 1;                      ///< of the fragment pool
-  std::optional<std::uint64_t> budgetBytes = {};     ///< null for methods without a budget
+  std::uint32_t slots = 1;                        ///< of the fragment pool
+  std::optional<std::uint64_t> budgetBytes = {};  ///< null for methods without a budget
   ImportanceSettings importance = {};
-  float layerLimit = 1.0F;      ///< N_limit in use
+  float layerLimit = 1.0F;  ///< N_limit in use
   std::uint32_t seed = 1;
-  bool factorMaps = false;      ///< importance factors are shown
+  bool factorMaps = false;          ///< importance factors are shown
   std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
 
   /// Whether each pixel has a spin lock.

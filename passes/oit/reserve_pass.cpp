@@ -16,8 +16,7 @@ void ReservePass::declare(frame::PassDeclaration& d) const {
 }
 
 bool ReservePass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 &&
-         plan_.method->allocation == Allocation::ImportanceMap;
+  return in.facts.transparentTriangles > 0 && plan_.method->allocation == Allocation::ImportanceMap;
 }
 
 std::string ReservePass::reason(const frame::FrameInputs& in) const {

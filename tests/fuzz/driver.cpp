@@ -43,7 +43,8 @@ Bytes damaged(Bytes bytes, std::mt19937& random) {
       bytes.resize(random() % bytes.size());
       break;
     case 1:  // some bytes changed
-      for (int i = 0; i < 8; ++i) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+      for (int i = 0; i < 8; ++i)
+        bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
       break;
     case 2: {  // a piece repeated
       const std::size_t begin = random() % bytes.size();

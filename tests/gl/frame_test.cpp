@@ -1,11 +1,9 @@
 // The frame as a whole: layouts, allocation, sizes, tone map, self-tests.
 #include <gmock/gmock.h>
 
-#include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
+#include "allocation_count.h"
 #include "engine/core/error.h"
 #include "engine/scene/load.h"
 #include "engine/scene/procedural/recipes.h"
@@ -13,21 +11,6 @@
 #include "shared/frame_constants.h"
 #include "shared/oit_totals.h"
 #include "shared/scene_data.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-// Counts what Macula itself allocates; the driver, which is C, does not come through here.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace macula::test {
 namespace {
@@ -38,9 +21,9 @@ TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
   for (const char* method : {"blend", "ab-sbuffer", "kb-variable"}) {
     Bench bench(tangle(100, 1), linearSettings(method), {64, 64}, machine());
     for (int i = 0; i < 3; ++i) bench.draw();
-    const std::size_t before = allocations;
+    const std::size_t before = allocationCount();
     for (int i = 0; i < 5; ++i) bench.draw();
-    EXPECT_EQ(allocations - before, 0U) << method;
+    EXPECT_EQ(allocationCount() - before, 0U) << method;
   }
 }
 
@@ -67,16 +50,15 @@ TEST_F(GlTest, SharedStructsLieAsTheShadersReadThem) {
   EXPECT_EQ(uniform("frame.eye"), static_cast<GLint>(offsetof(FrameConstants, eye)));
   EXPECT_EQ(uniform("frame.size"), static_cast<GLint>(offsetof(FrameConstants, size)));
   using shader::LightBlock;
-  EXPECT_EQ(uniform("lights.environment"),
-            static_cast<GLint>(offsetof(LightBlock, environment)));
-  EXPECT_EQ(uniform("lights.shadowMatrix"),
-            static_cast<GLint>(offsetof(LightBlock, shadowMatrix)));
-  EXPECT_EQ(uniform("lights.irradiance[0]"),
-            static_cast<GLint>(offsetof(LightBlock, irradiance)));
+  EXPECT_EQ(uniform("lights.environment"), static_cast<GLint>(offsetof(LightBlock, environment)));
+  EXPECT_EQ(uniform("lights.shadowMatrix"), static_cast<GLint>(offsetof(LightBlock, shadowMatrix)));
+  EXPECT_EQ(uniform("lights.irradiance[0]"), static_cast<GLint>(offsetof(LightBlock, irradiance)));
   EXPECT_EQ(uniform("lights.lights[0].color"),
             static_cast<GLint>(offsetof(LightBlock, lights) + offsetof(shader::LightData, color)));
   const GLuint importance = machine().programs.get({{"oit/importance.comp"}, {}, {}});
-  const auto total = [&](const char* name) { return offsetOf(importance, GL_BUFFER_VARIABLE, name); };
+  const auto total = [&](const char* name) {
+    return offsetOf(importance, GL_BUFFER_VARIABLE, name);
+  };
   using shader::OitTotals;
   EXPECT_EQ(total("totals.covered"), static_cast<GLint>(offsetof(OitTotals, covered)));
   EXPECT_EQ(total("totals.countMax"), static_cast<GLint>(offsetof(OitTotals, countMax)));
@@ -131,9 +113,9 @@ TEST_F(GlTest, SupersamplingAveragesSamples) {
   for (std::size_t y = 0; y < 32; ++y) {
     for (std::size_t x = 0; x < 32 * 3; ++x) {
       const std::size_t column = x / 3 * 6 + x % 3;
-      const float mean = 0.25F * (big[2 * y * 192 + column] + big[2 * y * 192 + column + 3] +
-                                  big[(2 * y + 1) * 192 + column] +
-                                  big[(2 * y + 1) * 192 + column + 3]);
+      const float mean =
+          0.25F * (big[2 * y * 192 + column] + big[2 * y * 192 + column + 3] +
+                   big[(2 * y + 1) * 192 + column] + big[(2 * y + 1) * 192 + column + 3]);
       ASSERT_NEAR(small[y * 96 + x], mean, 1e-5F);
     }
   }

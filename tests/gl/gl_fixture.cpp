@@ -19,14 +19,20 @@ World& world() {
 
 }  // namespace
 
-void GlTest::SetUp() { world().log.clear(); }
+void GlTest::SetUp() {
+  world().log.clear();
+}
 
 void GlTest::TearDown() {
   for (const std::string& message : world().log.messages()) ADD_FAILURE() << "GL: " << message;
 }
 
-passes::Machine& GlTest::machine() { return world().machine; }
-gl::DebugLog& GlTest::debugLog() { return world().log; }
+passes::Machine& GlTest::machine() {
+  return world().machine;
+}
+gl::DebugLog& GlTest::debugLog() {
+  return world().log;
+}
 
 Bench::Bench(const scene::Scene& scene, const passes::RenderSettings& s, glm::ivec2 size,
              passes::Machine& machine, scene::DrawOrder order)

@@ -30,8 +30,7 @@ TEST_P(LayersN, SBufferIsExact) {
   Bench bench(scene::makeLayers(n, 1), linearSettings("ab-sbuffer"), kSmall, machine());
   const passes::FrameResult result = bench.draw();
   EXPECT_TRUE(result.exact);
-  EXPECT_EQ(result.fragments->generated,
-            static_cast<std::uint64_t>(n) * kSmall.x * kSmall.y);
+  EXPECT_EQ(result.fragments->generated, static_cast<std::uint64_t>(n) * kSmall.x * kSmall.y);
   EXPECT_EQ(result.fragments->lost, 0U);
   expectComposite(bench, n);
 }
@@ -138,7 +137,8 @@ TEST_F(GlTest, OpaqueDepthHidesEveryFragmentBehindIt) {
   const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
   const glm::vec3 up = glm::cross(right, forward);
   constexpr float kWallDistance = 5.5F;
-  for (const glm::vec2 c : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(1, 1)}) {
+  for (const glm::vec2 c :
+       {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(1, 1)}) {
     wall.positions.push_back(camera.position + kWallDistance * forward +
                              60.0F * (c.x * right + c.y * up));
     wall.attributes.emplace_back();

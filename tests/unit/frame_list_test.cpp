@@ -30,8 +30,7 @@ TEST_P(EveryMethod, FrameIsSound) {
     for (const SyncMode sync : {SyncMode::Spinlock, SyncMode::Ordered}) {
       const OitPlan plan{.method = GetParam(), .sync = sync, .factorMaps = factors};
       if (factors && !plan.method->hasBudget()) continue;
-      EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty())
-          << GetParam()->id;
+      EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty()) << GetParam()->id;
     }
   }
 }
@@ -43,8 +42,8 @@ std::vector<const Method*> allMethods() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(allMethods()),
-                         [](const auto& info) {
-                           std::string name(info.param->id);
+                         [](const auto& method) {
+                           std::string name(method.param->id);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
@@ -70,8 +69,8 @@ TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
 TEST(FrameList, ReleasesWhatAMethodDoesNotUse) {
   const RenderSettings settings;
   const OitPlan exact{.method = &methodById("ab-sbuffer")};
-  const auto needed = makeFrameList(settings, exact).neededResources(
-      inputsOf({.transparentTriangles = 1}));
+  const auto needed =
+      makeFrameList(settings, exact).neededResources(inputsOf({.transparentTriangles = 1}));
   EXPECT_THAT(needed, testing::Contains(frame::Resource::FragmentKeys));
   EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::Importance)));
   EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::FragmentLock)));

@@ -132,8 +132,7 @@ TEST(ShaderVariants, EveryOneCompiles) {
   std::string command = "glslangValidator";
   int number = 0;
   for (const Variant& variant : allVariants()) {
-    const std::string name =
-        std::to_string(number++) + fs::path(variant.file).extension().string();
+    const std::string name = std::to_string(number++) + fs::path(variant.file).extension().string();
     folder.write(name, assembleShader(kShaders, variant.file, variant.defines, variant.extensions));
     command += " " + (folder.path() / name).string();
   }

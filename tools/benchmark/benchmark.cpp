@@ -35,7 +35,8 @@ std::string commandOf(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    CLI::App app("Measures transparency methods against each other in one run.", "macula_benchmark");
+    CLI::App app("Measures transparency methods against each other in one run.",
+                 "macula_benchmark");
     int frames = 21;
     int side = 1024;
     std::string out = ".";
@@ -43,7 +44,8 @@ int main(int argc, char** argv) {
     std::vector<std::string> scenes{"smoke", "bottles"};
     app.add_option("--frames", frames, "Rounds (default 21)")->check(CLI::Range(1, 10000));
     app.add_option("--side", side, "Width and height (default 1024)")->check(CLI::Range(16, 8192));
-    app.add_option("--scenes", scenes, "Procedural names or files, name@SIDE for a size of its own");
+    app.add_option("--scenes", scenes,
+                   "Procedural names or files, name@SIDE for a size of its own");
     app.add_option("--load", load, "glTF file whose loading is measured");
     app.add_option("--out", out, "Folder of the results");
     CLI11_PARSE(app, argc, argv);

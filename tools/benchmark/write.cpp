@@ -27,14 +27,14 @@ void appendScene(std::string& text, const SceneResult& scene) {
   text += fmt::format("\n## {} at {}x{}\n\n{}; at most {} layers deep.\n\n", scene.scene,
                       scene.size.x, scene.size.y, scene.light, scene.rows.at(1).deepest);
   text +=
-      "| method | transparency ms | / blend | frame ms | / blend | fragments | lost | RMSE | PSNR dB "
+      "| method | transparency ms | / blend | frame ms | / blend | fragments | lost | RMSE | PSNR "
+      "dB "
       "| bytes | budget | overhead |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Row& row : scene.rows) {
-    const std::optional<double> loss =
-        row.generated && *row.generated > 0
-            ? std::optional(100.0 * static_cast<double>(*row.lost) /
-                            static_cast<double>(*row.generated))
-            : std::nullopt;
+    const std::optional<double> loss = row.generated && *row.generated > 0
+                                           ? std::optional(100.0 * static_cast<double>(*row.lost) /
+                                                           static_cast<double>(*row.generated))
+                                           : std::nullopt;
     text += fmt::format(
         "| {} | {} | {:.2f} | {} | {:.2f} | {} | {} | {} | {} | {} | {} | {} |\n", nameOf(row),
         shown(row.transparency), row.transparency.median / floor.transparency.median,
@@ -80,18 +80,22 @@ Json orNull(const std::optional<T>& value) {
 std::string toMarkdown(const Run& run) {
   std::string text = "# Benchmarks\n\n";
   text += fmt::format(
-      "Made by `{}`, which also writes `BENCHMARKS.json`. Commit {}, {}, on {} ({}), {} cores, times "
-      "from {}. Each method draws one frame in turn, {} rounds after {} of warm-up; the figures are "
+      "Made by `{}`, which also writes `BENCHMARKS.json`. Commit {}, {}, on {} ({}), {} cores, "
+      "times "
+      "from {}. Each method draws one frame in turn, {} rounds after {} of warm-up; the figures "
+      "are "
       "medians with the 5th and 95th percentile. Ratios are of medians of the same run. "
       "\"Transparency\" is the sum of the passes whose names start with `oit.`. RMSE and PSNR are "
-      "against `ab-sbuffer`, on display values 0..1. Times of a software rasteriser say how methods "
+      "against `ab-sbuffer`, on display values 0..1. Times of a software rasteriser say how "
+      "methods "
       "compare on it, not what a GPU needs.\n",
       run.command, run.commit, run.date, run.renderer, run.version, run.cores, run.timeSource,
       run.frames, run.warmUp);
   for (const SceneResult& scene : run.scenes) appendScene(text, scene);
   if (run.load) {
     text += fmt::format(
-        "\n## Loading\n\n{}: loaded in {:.0f} ms; the first frame (512x512) stood {:.0f} ms after the "
+        "\n## Loading\n\n{}: loaded in {:.0f} ms; the first frame (512x512) stood {:.0f} ms after "
+        "the "
         "start of the program, start-up checks and shader compilation included; peak memory {:.0f} "
         "MiB, the rasteriser's own included.\n",
         run.load->file, run.load->loadMs, run.load->firstFrameMs, run.load->peakMiB);
@@ -115,20 +119,21 @@ Json toJson(const Run& run) {
     for (const Row& row : scene.rows) {
       Json passes = Json::object();
       for (const auto& [name, times] : row.passes) passes[name] = timesJson(times);
-      rows.push_back({{"method", row.method},
-                      {"k_ave", row.kAve > 0.0 ? Json(row.kAve) : Json(nullptr)},
-                      {"sync", row.sync},
-                      {"frame", timesJson(row.total)},
-                      {"transparency", timesJson(row.transparency)},
-                      {"passes", passes},
-                      {"bytes",
-                       {{"oit", row.oitBytes},
-                        {"budget", orNull(row.budgetBytes)},
-                        {"overhead", row.overheadBytes}}},
-                      {"fragments", {{"generated", orNull(row.generated)}, {"lost", orNull(row.lost)}}},
-                      {"deepest", row.deepest},
-                      {"rmse", orNull(row.rmse)},
-                      {"psnr_db", orNull(row.psnrDb)}});
+      rows.push_back(
+          {{"method", row.method},
+           {"k_ave", row.kAve > 0.0 ? Json(row.kAve) : Json(nullptr)},
+           {"sync", row.sync},
+           {"frame", timesJson(row.total)},
+           {"transparency", timesJson(row.transparency)},
+           {"passes", passes},
+           {"bytes",
+            {{"oit", row.oitBytes},
+             {"budget", orNull(row.budgetBytes)},
+             {"overhead", row.overheadBytes}}},
+           {"fragments", {{"generated", orNull(row.generated)}, {"lost", orNull(row.lost)}}},
+           {"deepest", row.deepest},
+           {"rmse", orNull(row.rmse)},
+           {"psnr_db", orNull(row.psnrDb)}});
     }
     json["scenes"].push_back({{"scene", scene.scene},
                               {"width", scene.size.x},

@@ -28,7 +28,8 @@ glm::ivec2 parseSize(const std::string& text) {
   return size;
 }
 
-LoadedScene loadForRendering(const std::string& nameOrPath, const passes::RenderSettings& settings) {
+LoadedScene loadForRendering(const std::string& nameOrPath,
+                             const passes::RenderSettings& settings) {
   const auto begin = std::chrono::steady_clock::now();
   LoadedScene loaded;
   loaded.scene = scene::loadScene(nameOrPath, settings.seed);
@@ -42,8 +43,8 @@ LoadedScene loadForRendering(const std::string& nameOrPath, const passes::Render
     }
     loaded.environment = scene::makeEnvironment(std::move(panorama));
   }
-  loaded.loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-                      .count();
+  loaded.loadMs =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return loaded;
 }
 

@@ -41,8 +41,9 @@ void addCompare(CLI::App& root) {
   command->add_option("reference", options->reference, "PNG, EXR or HDR")->required();
   command->add_option("test", options->test, "PNG, EXR or HDR")->required();
   command->add_flag("--hdr", options->compare.hdr, "Compare linear values");
-  command->add_option("--pixels-per-degree", options->compare.pixelsPerDegree,
-                      "Of FLIP (default 67.0206)")
+  command
+      ->add_option("--pixels-per-degree", options->compare.pixelsPerDegree,
+                   "Of FLIP (default 67.0206)")
       ->check(CLI::Range(1.0, 1000.0));
   addJsonOption(*command, options->json);
   command->callback([options] { run(*options); });

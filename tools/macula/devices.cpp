@@ -35,20 +35,19 @@ void run(const Options& options) {
                  machine.time.kRepeats[i], machine.time.queryMs[i], machine.time.finishMs[i]);
     }
   }
-  writeJson(options.json,
-            {{"context", context.description()},
-             {"renderer", c.renderer},
-             {"version", c.version},
-             {"max_storage_block_bytes", c.maxStorageBlockBytes},
-             {"max_texture_size", c.maxTextureSize},
-             {"interlock", c.fragmentShaderInterlock},
-             {"ordered", machine.ordered.passed},
-             {"sync", passes::nameOf(sync)},
-             {"time_source",
-              {{"source", gl::nameOf(machine.time.source)},
-               {"reason", machine.time.reason},
-               {"query_ms", machine.time.queryMs},
-               {"finish_ms", machine.time.finishMs}}}});
+  writeJson(options.json, {{"context", context.description()},
+                           {"renderer", c.renderer},
+                           {"version", c.version},
+                           {"max_storage_block_bytes", c.maxStorageBlockBytes},
+                           {"max_texture_size", c.maxTextureSize},
+                           {"interlock", c.fragmentShaderInterlock},
+                           {"ordered", machine.ordered.passed},
+                           {"sync", passes::nameOf(sync)},
+                           {"time_source",
+                            {{"source", gl::nameOf(machine.time.source)},
+                             {"reason", machine.time.reason},
+                             {"query_ms", machine.time.queryMs},
+                             {"finish_ms", machine.time.finishMs}}}});
 }
 
 }  // namespace

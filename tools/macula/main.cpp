@@ -17,8 +17,10 @@ constexpr int kFault = 3;     ///< a fault of Macula or of the driver
 
 int main(int argc, char** argv) {
   try {
-    CLI::App root("Deferred shading whose frame follows the eye: order-independent transparency under "
-                  "a budget, gaze-log replay, walkthrough.", "macula");
+    CLI::App root(
+        "Deferred shading whose frame follows the eye: order-independent transparency under "
+        "a budget, gaze-log replay, walkthrough.",
+        "macula");
     root.require_subcommand(1);
     root.set_version_flag("--version", "macula " MACULA_VERSION " (" MACULA_COMMIT ")");
 #ifdef MACULA_WINDOW

@@ -81,9 +81,9 @@ measure::FrameRecord recordOf(const passes::FrameResult& result,
     record.passMs.emplace_back(pass.name, pass.ms);
   }
   if (result.fragments) {
-    record.fragments = measure::FragmentNumbers{result.fragments->generated,
-                                                result.fragments->stored, result.fragments->merged,
-                                                result.fragments->lost};
+    record.fragments =
+        measure::FragmentNumbers{result.fragments->generated, result.fragments->stored,
+                                 result.fragments->merged, result.fragments->lost};
   }
   if (result.layers) {
     record.layers =
@@ -154,8 +154,7 @@ void replay(const ReplayOptions& options) {
 
   const window::HeadlessContext context(platformOf(options.platform));
   passes::Machine machine;
-  const scene::GpuScene gpu(loaded.scene,
-                            loaded.environment ? &*loaded.environment : nullptr);
+  const scene::GpuScene gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr);
   loaded.scene = {};  // it is in GPU memory now
   loaded.environment.reset();
   Painter painter(settings, machine, gpu, size);

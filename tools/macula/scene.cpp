@@ -42,8 +42,8 @@ void info(Options& options, const CLI::App& command) {
   scene::addDefaultLights(loaded);
   const passes::OitPlan plan{.method = &passes::methodById(options.settings.oit.method)};
   const frame::FrameList frame = passes::makeFrameList(options.settings, plan);
-  const auto report = frame.report(passes::inputsOf(
-      scene::factsOf(loaded, !options.settings.environment.empty())));
+  const auto report =
+      frame.report(passes::inputsOf(scene::factsOf(loaded, !options.settings.environment.empty())));
   if (options.json != "-") {
     fmt::print("triangles    {} ({} transparent)\ndraws        {}\n", facts.triangles,
                facts.transparentTriangles, facts.draws);

@@ -1,0 +1,59 @@
+#include "engine/ui/legend.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <glm/glm.hpp>
+
+namespace macula::ui {
+namespace {
+
+/// The five points of the viridis map (van der Walt and Smith 2015) that shaders/heatmap.comp
+/// joins by straight lines.
+constexpr std::array<glm::vec3, 5> kViridis{{{0.267F, 0.005F, 0.329F},
+                                             {0.230F, 0.322F, 0.546F},
+                                             {0.128F, 0.567F, 0.551F},
+                                             {0.369F, 0.789F, 0.383F},
+                                             {0.993F, 0.906F, 0.144F}}};
+
+ImU32 packed(const glm::vec3& color) {
+  return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F});
+}
+
+void drawBar(const ImVec2& corner, float width, float height) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  constexpr auto kSegments = static_cast<float>(kViridis.size() - 1);
+  for (std::size_t i = 0; i + 1 < kViridis.size(); ++i) {
+    const float left = corner.x + width * static_cast<float>(i) / kSegments;
+    const ImU32 from = packed(kViridis[i]);
+    const ImU32 to = packed(kViridis[i + 1]);
+    list->AddRectFilledMultiColor({left, corner.y}, {left + width / kSegments, corner.y + height},
+                                  from, to, to, from);
+  }
+}
+
+}  // namespace
+
+void drawLegend(const Legend& legend) {
+  ImGui::TextWrapped("%s", legend.quantity.c_str());
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = ImGui::GetTextLineHeight();
+  drawBar(ImGui::GetCursorScreenPos(), width, height);
+  ImGui::Dummy({width, height});
+
+  const float left = ImGui::GetCursorPosX();
+  const auto label = [&](float share, const std::string& text) {
+    const float textWidth = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(left + share * (width - textWidth));
+    ImGui::TextUnformatted(text.c_str());
+  };
+  label(0.0F, "0");
+  ImGui::SameLine();
+  label(0.5F, fmt::format("{:.4g}", 0.5 * legend.maximum));
+  ImGui::SameLine();
+  label(1.0F, fmt::format("{}{:.4g}", legend.mayExceed ? ">= " : "", legend.maximum));
+  ImGui::TextDisabled("grey: zero, or nothing transparent");
+}
+
+}  // namespace macula::ui

@@ -1,0 +1,41 @@
+// The command line of `macula walk`.
+#include <memory>
+
+#include "commands.h"
+#include "common.h"
+#include "engine/scene/load.h"
+#include "engine/settings/command_line.h"
+#include "walk_options.h"
+
+namespace macula::tools {
+
+void addWalk(CLI::App& root) {
+  constexpr int kMaxFrames = 1000000;
+  auto o = std::make_shared<WalkOptions>();
+  o->scene = scene::kDefaultScene;
+  passes::registerSettings(o->registry, o->settings);
+  CLI::App* command = root.add_subcommand("walk", "Walk through a scene in a window");
+  command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name (default gallery)");
+  command->add_option("--size", o->size, "Of the window (default 1280x720)")
+      ->type_name("WIDTHxHEIGHT");
+  command->add_option("--gaze", o->gaze, "Where the viewer looks: the mouse pointer")
+      ->check(CLI::IsMember({"mouse"}));
+  command->add_option("--frames", o->frames, "Close after this many; 0: stay open (default 0)")
+      ->check(CLI::Range(0, kMaxFrames));
+  command->add_flag("--no-panels", o->hidePanels, "Begin with the panels hidden (F1 shows them)");
+  command->add_option("--screenshot", o->screenshot, "Write the window after the last frame (PNG)")
+      ->type_name("FILE.png");
+  command
+      ->add_option("--probe", o->probes,
+                   "Report the mean k around this place, 0..1 from the top left; repeatable")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);  // a scene may follow
+  addJsonOption(*command, o->json);
+  settings::addOptions(*command, o->registry);
+  command->callback([o, command] {
+    settings::applyOptions(*command, o->registry);
+    walk(*o);
+  });
+}
+
+}  // namespace macula::tools

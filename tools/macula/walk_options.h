@@ -1,0 +1,29 @@
+// Options of `macula walk`.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/settings/registry.h"
+#include "passes/render_settings.h"
+
+namespace macula::tools {
+
+struct WalkOptions {
+  std::string scene;
+  std::string size = "1280x720";
+  std::string gaze = "mouse";
+  int frames = 0;                   ///< 0: until the window is closed
+  bool hidePanels = false;          ///< at first; a key shows them
+  std::string screenshot;           ///< PNG of the window after the last frame; empty: none
+  std::string json;                 ///< numbers of the last frame; empty: none
+  std::vector<std::string> probes;  ///< "x,y", 0..1 of the window from the top left
+  passes::RenderSettings settings;
+  settings::Registry registry;
+};
+
+/// Opens the window and stays until it is closed or the frames are drawn.
+void walk(WalkOptions& options);
+
+}  // namespace macula::tools
