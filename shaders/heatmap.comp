@@ -2,6 +2,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "shared/bindings.h"
+#include "shared/viridis.h"
 
 #ifdef SOURCE_INTEGER
 layout(binding = TEX_INPUT0) uniform usampler2D source;
@@ -12,14 +13,12 @@ layout(rgba8, binding = IMG_0) uniform image2D displayColor;
 layout(location = 0) uniform float range;
 layout(location = 1) uniform int samplesPerAxis;
 
-/// Five points of the viridis map (van der Walt and Smith 2015), which grows evenly in lightness.
 vec3 viridis(float t) {
-  const vec3 c[5] = vec3[](vec3(0.267, 0.005, 0.329), vec3(0.230, 0.322, 0.546),
-                           vec3(0.128, 0.567, 0.551), vec3(0.369, 0.789, 0.383),
-                           vec3(0.993, 0.906, 0.144));
-  float x = clamp(t, 0.0, 1.0) * 4.0;
-  int i = min(int(x), 3);
-  return mix(c[i], c[i + 1], x - float(i));
+  const vec3 points[VIRIDIS_POINTS] = vec3[](vec3(VIRIDIS_0), vec3(VIRIDIS_1), vec3(VIRIDIS_2),
+                                             vec3(VIRIDIS_3), vec3(VIRIDIS_4));
+  float x = clamp(t, 0.0, 1.0) * float(VIRIDIS_POINTS - 1);
+  int i = min(int(x), VIRIDIS_POINTS - 2);
+  return mix(points[i], points[i + 1], x - float(i));
 }
 
 void main() {

@@ -14,6 +14,8 @@ trap finish EXIT
 
 tools/install_packages.sh build test
 preset=${MACULA_PRESET:-ci}
+# Where ccache is used, a second checkout shares what the first has compiled.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 cmake --preset "$preset"
 cmake --build --preset "$preset"
 

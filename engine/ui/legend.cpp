@@ -6,16 +6,14 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "shared/viridis.h"
+
 namespace macula::ui {
 namespace {
 
-/// The five points of the viridis map (van der Walt and Smith 2015) that shaders/heatmap.comp
-/// joins by straight lines.
-constexpr std::array<glm::vec3, 5> kViridis{{{0.267F, 0.005F, 0.329F},
-                                             {0.230F, 0.322F, 0.546F},
-                                             {0.128F, 0.567F, 0.551F},
-                                             {0.369F, 0.789F, 0.383F},
-                                             {0.993F, 0.906F, 0.144F}}};
+const std::array<glm::vec3, VIRIDIS_POINTS> kViridis{glm::dvec3{VIRIDIS_0}, glm::dvec3{VIRIDIS_1},
+                                                     glm::dvec3{VIRIDIS_2}, glm::dvec3{VIRIDIS_3},
+                                                     glm::dvec3{VIRIDIS_4}};
 
 ImU32 packed(const glm::vec3& color) {
   return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F});

@@ -10,6 +10,7 @@ using frame::Resource;
 using frame::Use;
 
 void BlendPass::declare(frame::PassDeclaration& d) const {
+  if (plan_.method->stores()) return;
   d.reads(Resource::ShadowMap, Use::Texture);
   d.reads(Resource::Depth, Use::DepthTarget);
   d.modifies(Resource::HdrColor, Use::ColorTarget);

@@ -16,7 +16,7 @@ void CapturePass::declare(frame::PassDeclaration& d) const {
   d.reads(Resource::FragmentRange, Use::Image);
   d.modifies(Resource::FragmentFill, Use::Image);
   if (plan_.method->keepsFrontNormal()) d.modifies(Resource::FrontNormal, Use::Image);
-  if (plan_.usesLocks()) d.modifies(Resource::FragmentLock, Use::Image);
+  if (plan_.usesLocks()) d.consumes(Resource::FragmentLock, Use::Image);
   d.writes(Resource::FragmentKeys, Use::Storage);
   d.writes(Resource::FragmentColors, Use::Storage);
   d.modifies(Resource::OitTotals, Use::Storage);

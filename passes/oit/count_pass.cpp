@@ -9,6 +9,7 @@ using frame::Resource;
 using frame::Use;
 
 void CountPass::declare(frame::PassDeclaration& d) const {
+  if (!plan_.method->counts()) return;
   d.reads(Resource::Depth, Use::DepthTarget);
   d.writes(Resource::FragmentCount, Use::ColorTarget);
 }

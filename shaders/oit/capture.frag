@@ -70,30 +70,17 @@ void main() {
 #endif
   ivec2 p = ivec2(gl_FragCoord.xy);
   uvec2 range = imageLoad(fragmentRange, p).rg;
-  if (range.y == 0u) return;
   uvec2 key = fragmentKey(gl_FragCoord.z, fragmentId());
+  // No early return: the interlock must begin outside of all branches.
+  bool wanted = range.y > 0u;
 #ifdef INSERTION_SORTED
-  if (isRejected(p, range, key)) return;
-  uvec2 color = packColor(shadeTransparent());
-#if defined(SYNC_SPINLOCK)
-  bool done = gl_HelperInvocation;  // helpers write nothing and must not wait
-  for (int i = 0; i < LOCK_BOUND && !done; ++i) {
-    if (imageAtomicExchange(fragmentLock, p, 1u) != 0u) continue;
-    insertSorted(p, range, key, color);
-    memoryBarrier();
-    imageAtomicExchange(fragmentLock, p, 0u);
-    done = true;
-  }
-  if (!done) atomicAdd(totals.lockFailures, 1u);
-#elif defined(SYNC_INTERLOCK)
-  beginInvocationInterlockARB();
-  insertSorted(p, range, key, color);
-  endInvocationInterlockARB();
-#else
-  insertSorted(p, range, key, color);
+  if (wanted) wanted = !isRejected(p, range, key);
 #endif
-#else
-  uvec2 color = packColor(shadeTransparent());
+  uvec2 color = uvec2(0u);
+  if (wanted) color = packColor(shadeTransparent());
+
+#if !defined(INSERTION_SORTED)
+  if (!wanted) return;
 #ifdef SYNC_ORDERED
   uint slot = imageLoad(fragmentFill, p).r;
   imageStore(fragmentFill, p, uvec4(slot + 1u));
@@ -103,5 +90,21 @@ void main() {
   if (slot >= range.y) return;  // beyond the pool: counted, the frame is flagged inexact
   keys[range.x + slot] = key;
   colors[range.x + slot] = color;
+#elif defined(SYNC_INTERLOCK)
+  beginInvocationInterlockARB();
+  if (wanted) insertSorted(p, range, key, color);
+  endInvocationInterlockARB();
+#elif defined(SYNC_SPINLOCK)
+  bool done = !wanted || gl_HelperInvocation;  // helpers write nothing and must not wait
+  for (int i = 0; i < LOCK_BOUND && !done; ++i) {
+    if (imageAtomicExchange(fragmentLock, p, 1u) != 0u) continue;
+    insertSorted(p, range, key, color);
+    memoryBarrier();
+    imageAtomicExchange(fragmentLock, p, 0u);
+    done = true;
+  }
+  if (!done) atomicAdd(totals.lockFailures, 1u);
+#else
+  if (wanted) insertSorted(p, range, key, color);
 #endif
 }

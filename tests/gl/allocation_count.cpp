@@ -1,5 +1,5 @@
-// Replaces operator new for the whole test program. Alone in its file, so that the compiler does not
-// look through it.
+// Replaces operator new for the whole test program. Alone in its file, so that the compiler does
+// not look through it.
 #include "allocation_count.h"
 
 #include <atomic>
@@ -18,11 +18,17 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
 
 namespace macula::test {
 
-std::size_t allocationCount() { return count; }
+std::size_t allocationCount() {
+  return count;
+}
 
 }  // namespace macula::test
