@@ -121,6 +121,35 @@ TEST_F(GlTest, SupersamplingAveragesSamples) {
   }
 }
 
+TEST_F(GlTest, AnEvenEnvironmentMakesWhiteSurfacesVanish) {
+  // The furnace: under the same light from everywhere a white diffuse surface sends back what it
+  // gets, whether it is opaque or transparent, and so looks like the background.
+  scene::Panorama even{32, 16, {}};
+  even.pixels.assign(32 * 16, glm::vec3(0.5F));
+  const scene::Environment environment = scene::makeEnvironment(even);
+  scene::Scene scene = tangle(40, 3);
+  scene.lights.clear();
+  for (scene::Material& material : scene.materials) {
+    material.metallic = 0.0F;
+    material.roughness = 1.0F;
+  }
+  for (scene::Primitive& primitive : scene.primitives) {
+    for (scene::VertexAttributes& a : primitive.attributes) {
+      a.color = glm::vec4(1.0F, 1.0F, 1.0F, a.color.a);
+    }
+  }
+  const scene::GpuScene gpu(scene, &environment);
+  const passes::RenderSettings settings = linearSettings("ab-sbuffer");
+  passes::FrameRenderer renderer(settings, machine());
+  renderer.resize({48, 48});
+  renderer.setScene(gpu);
+  renderer.render(scene.cameras.front(), glm::vec2(0.5F));
+  std::vector<float> rgb;
+  renderer.readLinear(rgb);
+  // The specular part is a fitted curve: some percent.
+  for (const float value : rgb) EXPECT_NEAR(value, 0.5F, 0.03F);
+}
+
 TEST_F(GlTest, TimerAndRasteriserWereJudged) {
   EXPECT_FALSE(machine().time.reason.empty());
   EXPECT_FALSE(machine().ordered.reason.empty());
