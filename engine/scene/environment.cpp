@@ -111,11 +111,13 @@ constexpr std::array<float, 9> kCosineLobe{1.0F,  2.0F / 3.0F, 2.0F / 3.0F, 2.0F
 
 std::array<glm::vec3, 9> irradianceOf(const Panorama& p) {
   std::array<glm::vec3, 9> sum{};
-  const float texel =
-      (2.0F * kPi / static_cast<float>(p.width)) * (kPi / static_cast<float>(p.height));
   for (int y = 0; y < p.height; ++y) {
+    // The exact area of a texel of this row on the unit sphere (Archimedes' bands).
+    const float top = kPi * static_cast<float>(y) / static_cast<float>(p.height);
+    const float bottom = kPi * static_cast<float>(y + 1) / static_cast<float>(p.height);
+    const float solidAngle =
+        2.0F * kPi / static_cast<float>(p.width) * (std::cos(top) - std::cos(bottom));
     const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(p.height);
-    const float solidAngle = texel * std::sin(v * kPi);
     for (int x = 0; x < p.width; ++x) {
       const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(p.width);
       const std::array<float, 9> basis = harmonics(directionOf(u, v));
@@ -152,7 +154,7 @@ Environment makeEnvironment(Panorama panorama) {
     environment.levels.push_back(
         blurred(averaged, static_cast<float>(i) / static_cast<float>(count - 1)));
   }
-  environment.irradiance = irradianceOf(averaged);
+  environment.irradiance = irradianceOf(environment.levels.front());
   return environment;
 }
 
