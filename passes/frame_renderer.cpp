@@ -38,6 +38,23 @@ SyncMode syncByName(const std::string& name) {
   return SyncMode::Auto;
 }
 
+/// Red, green and blue of a texture, rows from the top.
+template <typename T>
+void readRgb(const gl::Texture& texture, GLenum type, std::vector<T>& rgb) {
+  const auto row = static_cast<std::ptrdiff_t>(texture.width()) * 3;
+  rgb.resize(static_cast<std::size_t>(row) * static_cast<std::size_t>(texture.height()));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(texture.id(), 0, GL_RGB, type, static_cast<GLsizei>(rgb.size() * sizeof(T)),
+                    rgb.data());
+  // GL counts rows from the bottom.
+  for (std::ptrdiff_t y = 0; y < texture.height() / 2; ++y) {
+    const auto mirrored = texture.height() - 1 - y;
+    std::swap_ranges(rgb.begin() + y * row, rgb.begin() + (y + 1) * row,
+                     rgb.begin() + mirrored * row);
+  }
+}
+
 }  // namespace
 
 FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
@@ -195,33 +212,11 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) const {
 }
 
 void FrameRenderer::readDisplay(std::vector<std::uint8_t>& rgb) const {
-  const glm::ivec2 size = inputs_.outputSize;
-  const std::size_t row = static_cast<std::size_t>(size.x) * 3;
-  rgb.resize(row * static_cast<std::size_t>(size.y));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureImage(resources_.texture(Resource::DisplayColor).id(), 0, GL_RGB, GL_UNSIGNED_BYTE,
-                    static_cast<GLsizei>(rgb.size()), rgb.data());
-  for (int y = 0; y < size.y / 2; ++y) {
-    std::swap_ranges(rgb.begin() + y * static_cast<std::ptrdiff_t>(row),
-                     rgb.begin() + (y + 1) * static_cast<std::ptrdiff_t>(row),
-                     rgb.begin() + (size.y - 1 - y) * static_cast<std::ptrdiff_t>(row));
-  }
+  readRgb(resources_.texture(Resource::DisplayColor), GL_UNSIGNED_BYTE, rgb);
 }
 
 void FrameRenderer::readLinear(std::vector<float>& rgb) const {
-  const glm::ivec2 size = inputs_.outputSize;
-  const std::size_t row = static_cast<std::size_t>(size.x) * 3;
-  rgb.resize(row * static_cast<std::size_t>(size.y));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureImage(resources_.texture(Resource::LinearColor).id(), 0, GL_RGB, GL_FLOAT,
-                    static_cast<GLsizei>(rgb.size() * sizeof(float)), rgb.data());
-  for (int y = 0; y < size.y / 2; ++y) {
-    std::swap_ranges(rgb.begin() + y * static_cast<std::ptrdiff_t>(row),
-                     rgb.begin() + (y + 1) * static_cast<std::ptrdiff_t>(row),
-                     rgb.begin() + (size.y - 1 - y) * static_cast<std::ptrdiff_t>(row));
-  }
+  readRgb(resources_.texture(Resource::LinearColor), GL_FLOAT, rgb);
 }
 
 }  // namespace macula::passes
