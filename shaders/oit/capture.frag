@@ -31,11 +31,10 @@ layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 #ifdef INSERTION_SORTED
 /// Insertion sort by one element; the farthest falls out where the range is full.
-void insertSorted(ivec2 p, uvec2 range, uvec2 key, uvec2 color) {
-  uint fill = imageLoad(fragmentFill, p).r;
+/// @param fill slots in use, known not to be full of nearer fragments
+void insertSorted(ivec2 p, uvec2 range, uint fill, uvec2 key, uvec2 color) {
   uint slot = fill;
   if (fill == range.y) {
-    if (!isNearer(key, keys[range.x + fill - 1u])) return;
     slot = fill - 1u;
   } else {
     imageStore(fragmentFill, p, uvec4(fill + 1u));
@@ -58,9 +57,16 @@ void insertSorted(ivec2 p, uvec2 range, uvec2 key, uvec2 color) {
 }
 
 /// Whether the range is full of nearer fragments. Its last depth only ever comes nearer, so an
-/// answer of yes stays true, and the fragment need not be shaded; no needs the critical section.
-bool isRejected(ivec2 p, uvec2 range, uvec2 key) {
-  return imageLoad(fragmentFill, p).r == range.y && !isNearer(key, keys[range.x + range.y - 1u]);
+/// answer of yes stays true, and the fragment need not be shaded; no holds only while nobody else
+/// writes.
+bool isRejected(uvec2 range, uint fill, uvec2 key) {
+  return fill == range.y && !isNearer(key, keys[range.x + range.y - 1u]);
+}
+
+/// For critical sections: looks again at what others may have stored meanwhile.
+void insertIfNearer(ivec2 p, uvec2 range, uvec2 key, uvec2 color) {
+  uint fill = imageLoad(fragmentFill, p).r;
+  if (!isRejected(range, fill, key)) insertSorted(p, range, fill, key, color);
 }
 #endif
 
@@ -74,7 +80,11 @@ void main() {
   // No early return: the interlock must begin outside of all branches.
   bool wanted = range.y > 0u;
 #ifdef INSERTION_SORTED
-  if (wanted) wanted = !isRejected(p, range, key);
+  uint fill = 0u;
+  if (wanted) {
+    fill = imageLoad(fragmentFill, p).r;
+    wanted = !isRejected(range, fill, key);
+  }
 #endif
   uvec2 color = uvec2(0u);
   if (wanted) color = packColor(shadeTransparent());
@@ -92,19 +102,19 @@ void main() {
   colors[range.x + slot] = color;
 #elif defined(SYNC_INTERLOCK)
   beginInvocationInterlockARB();
-  if (wanted) insertSorted(p, range, key, color);
+  if (wanted) insertIfNearer(p, range, key, color);
   endInvocationInterlockARB();
 #elif defined(SYNC_SPINLOCK)
   bool done = !wanted || gl_HelperInvocation;  // helpers write nothing and must not wait
   for (int i = 0; i < LOCK_BOUND && !done; ++i) {
     if (imageAtomicExchange(fragmentLock, p, 1u) != 0u) continue;
-    insertSorted(p, range, key, color);
+    insertIfNearer(p, range, key, color);
     memoryBarrier();
     imageAtomicExchange(fragmentLock, p, 0u);
     done = true;
   }
   if (!done) atomicAdd(totals.lockFailures, 1u);
 #else
-  if (wanted) insertSorted(p, range, key, color);
+  if (wanted) insertSorted(p, range, fill, key, color);
 #endif
 }
