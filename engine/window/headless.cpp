@@ -107,7 +107,7 @@ struct HeadlessContext::Egl {
  private:
   void noteLowerVersion(EGLDisplay candidate) {
     constexpr int kLowMajor = 3;
-    constexpr int kLowMinor = 1;
+    constexpr int kLowMinor = 3;
     const auto low = makeContext(candidate, kLowMajor, kLowMinor, false);
     if (!low) return;
     const auto text = [](GLenum key) {
@@ -133,8 +133,8 @@ HeadlessContext::HeadlessContext(EglPlatform platform, bool debug) : egl_(std::m
   }
   if (!open) {
     failInput(
-        "no OpenGL 4.5 core context without a window{}{}; install a driver that offers one "
-        "(Mesa's llvmpipe does) or unset what forbids it",
+        "no OpenGL 4.5 core context without a window{}{}; install a driver that offers one (Mesa's "
+        "llvmpipe does), and unset GALLIUM_DRIVER where it asks for another",
         egl_->highestSeen.empty() ? "" : ": ", egl_->highestSeen);
   }
 }
