@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shared/bindings.h"
+#include "shared/dispatch.h"
 
 namespace macula::passes {
 
@@ -11,7 +12,7 @@ using frame::Use;
 
 namespace {
 
-constexpr glm::ivec2 kGroup{8, 8};  // as in shaders/heatmap.comp
+constexpr glm::ivec2 kGroup{FULLSCREEN_GROUP};
 
 struct Map {
   std::string_view name;

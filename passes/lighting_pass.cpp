@@ -2,6 +2,7 @@
 
 #include "passes/scene_draw.h"
 #include "shared/bindings.h"
+#include "shared/dispatch.h"
 
 namespace macula::passes {
 
@@ -10,7 +11,7 @@ using frame::Use;
 
 namespace {
 
-constexpr glm::ivec2 kGroup{8, 8};  // as in shaders/lighting.comp
+constexpr glm::ivec2 kGroup{FULLSCREEN_GROUP};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "shared/bindings.h"
+#include "shared/dispatch.h"
 
 namespace macula::passes {
 
@@ -11,7 +12,7 @@ using frame::Use;
 
 namespace {
 
-constexpr glm::ivec2 kGroup{8, 8};  // as in shaders/tonemap.comp
+constexpr glm::ivec2 kGroup{FULLSCREEN_GROUP};
 
 /// TONEMAP of shaders/lib/tonemap.glsl.
 std::string curveNumber(const std::string& curve) {

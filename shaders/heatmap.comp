@@ -1,5 +1,6 @@
 // A quantity as colours over the darkened image.
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "shared/bindings.h"
 #include "shared/viridis.h"

@@ -1,6 +1,7 @@
 // Deferred lighting of the opaque surfaces, and the background where there are none.
 // LIT: at least one material of the scene is lit. SHADOWS, ENVIRONMENT: see lib/lighting.glsl.
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
 #include "lib/lighting.glsl"

@@ -1,6 +1,7 @@
 // Samples to pixels, exposure, tone curve, encoding. SSAA: samples per axis of a pixel.
 // LINEAR_OUT: also write the image before encoding.
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/tonemap.glsl"
 #include "shared/bindings.h"

@@ -1,6 +1,7 @@
 // Composites the stored fragments of each pixel over the opaque image, nearest first.
 // SORTED: the ranges are in order. Otherwise they are sorted here by (depth, id).
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"

@@ -53,7 +53,7 @@ struct LightBlock {
   vec4 ambient;                    // constant ambient radiance; w: count of lights
   vec4 environment;                // x: mip levels, y: intensity
   mat4 shadowMatrix;               // world to shadow map, 0..1 in x, y and z
-  vec4 shadow;                     // x: texel size, y: world-space normal offset, z: kernel radius
+  vec4 shadow;                     // x: width of the map in world units
   vec4 irradiance[SH_COEFFICIENTS];
   LightData lights[MAX_LIGHTS];
 };
