@@ -5,12 +5,19 @@
 #include "passes/heatmap_pass.h"
 #include "passes/lighting_pass.h"
 #include "passes/oit/allocate_pass.h"
+#include "passes/oit/atomic_keys_pass.h"
 #include "passes/oit/blend_pass.h"
 #include "passes/oit/capture_pass.h"
 #include "passes/oit/count_pass.h"
+#include "passes/oit/histogram_pass.h"
 #include "passes/oit/importance_pass.h"
+#include "passes/oit/one_k_pass.h"
+#include "passes/oit/peel_pass.h"
 #include "passes/oit/reserve_pass.h"
 #include "passes/oit/resolve_pass.h"
+#include "passes/oit/routed_pass.h"
+#include "passes/oit/weighted_pass.h"
+#include "passes/oit/weighted_resolve_pass.h"
 #include "passes/shadow_pass.h"
 #include "passes/tonemap_pass.h"
 
@@ -26,10 +33,17 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<LightingPass>());
   // Transparent, over the opaque image
   passes.push_back(std::make_unique<BlendPass>(plan));
+  passes.push_back(std::make_unique<WeightedPass>(plan));
+  passes.push_back(std::make_unique<WeightedResolvePass>(plan));
+  passes.push_back(std::make_unique<PeelPass>(plan));
   passes.push_back(std::make_unique<CountPass>(plan));
   passes.push_back(std::make_unique<ImportancePass>(plan));
   passes.push_back(std::make_unique<ReservePass>(plan));
+  passes.push_back(std::make_unique<HistogramPass>(plan));
+  passes.push_back(std::make_unique<OneKPass>(plan));
   passes.push_back(std::make_unique<AllocatePass>(plan));
+  passes.push_back(std::make_unique<AtomicKeysPass>(plan));
+  passes.push_back(std::make_unique<RoutedPass>(plan));
   passes.push_back(std::make_unique<CapturePass>(plan));
   passes.push_back(std::make_unique<ResolvePass>(plan));
   // What is shown

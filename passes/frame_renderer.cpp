@@ -23,6 +23,8 @@ constexpr std::uint64_t kFirstSlotsPerSample = 2;
 
 /// Fragments that heap sort and composition handle in 65,535 loop iterations: n log2 n + 3 n.
 constexpr std::uint32_t kDeepestBoundedSort = 4096;
+/// The same for the merge sort of a list: 2 n log2 n.
+constexpr std::uint32_t kDeepestBoundedMerge = 2048;
 
 /// Room to spare when the pool of an exact method grows, so that a slow approach does not draw
 /// every frame twice.
@@ -61,6 +63,7 @@ FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
     : settings_(settings),
       machine_(machine),
       plan_{.method = &methodById(settings.oit.method)},
+      statistics_(plan_),
       list_(makeFrameList(settings, plan_)),
       timer_(machine.time.source),
       constants_("frame constants", sizeof(shader::FrameConstants)) {
@@ -93,31 +96,73 @@ void FrameRenderer::settingsChanged() {
 
 void FrameRenderer::sizePool(std::uint32_t slots) {
   plan_.slots = std::max(1U, slots);
+  // 16-byte fragments keep key and colour apart; packed ones are all key.
   resources_.setBufferBytes(Resource::FragmentKeys, plan_.slots * kFragmentBytes / 2);
   resources_.setBufferBytes(Resource::FragmentColors, plan_.slots * kFragmentBytes / 2);
+  resources_.setBufferBytes(Resource::FragmentLinks, plan_.slots * kLinkBytes);
+}
+
+void FrameRenderer::planRoutedSamples() {
+  // Bytes are promised, so only numbers of samples that the GPU really makes are used.
+  int best = 0;
+  int least = 0;
+  for (const int samples : machine_.capabilities.routableSamples) {
+    if (samples <= static_cast<int>(plan_.layers)) best = std::max(best, samples);
+    if (least == 0 || samples < least) least = samples;
+  }
+  if (best == 0) {
+    failInput(
+        "kb-stencil keeps a fragment in each sample, and {} has {} samples a pixel at the least; "
+        "the budget gives {}; raise --k-ave or --oit-memory, or use kb-fixed",
+        machine_.capabilities.renderer, least, plan_.layers);
+  }
+  plan_.layers = static_cast<std::uint32_t>(best);
+  resources_.setMultisamples(best);
+}
+
+void FrameRenderer::planMethod(std::uint64_t samples) {
+  const Method* before = plan_.method;
+  plan_.method = &methodById(settings_.oit.method);
+  plan_.options = settings_.oit;
+  plan_.layers = static_cast<std::uint32_t>(settings_.oit.layers);
+  const SyncMode wish = syncByName(settings_.oit.sync);
+  plan_.sync = plan_.method->isRacy()
+                   ? SyncMode::None
+                   : chooseSync(wish, machine_.capabilities, machine_.ordered);
+  plan_.budgetBytes.reset();
+  constexpr double kMebi = 1024.0 * 1024.0;
+  if (plan_.method->hasBudget()) {
+    planBudget(plan_, samples);
+    if (plan_.method->insertion == Insertion::StencilRouted) planRoutedSamples();
+    sizePool(plan_.slots);
+  } else if (plan_.method->grows() && settings_.oit.memoryMiB > 0.0) {
+    // A cap instead of growth: what does not fit is counted, and the frame is flagged inexact.
+    const std::uint64_t each =
+        kFragmentBytes + (plan_.method->insertion == Insertion::Linked ? kLinkBytes : 0);
+    plan_.budgetBytes = static_cast<std::uint64_t>(settings_.oit.memoryMiB * kMebi);
+    sizePool(static_cast<std::uint32_t>(*plan_.budgetBytes / each));
+  } else if (plan_.method->allocation == Allocation::Constant) {
+    sizePool(static_cast<std::uint32_t>(plan_.layers * samples));
+  } else if (before != plan_.method || plan_.slots < samples) {
+    sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
+  }
 }
 
 void FrameRenderer::prepare() {
   inputs_.displaySize = inputs_.outputSize * settings_.tonemap.ssaa;
   const auto samples = static_cast<std::uint64_t>(inputs_.displaySize.x) *
                        static_cast<std::uint64_t>(inputs_.displaySize.y);
-  const Method* before = plan_.method;
-  plan_.method = &methodById(settings_.oit.method);
-  plan_.sync = chooseSync(syncByName(settings_.oit.sync), machine_.capabilities, machine_.ordered);
+  checkCombination(settings_.oit);
   plan_.importance = settings_.importance;
   plan_.seed = settings_.seed;
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
-  plan_.budgetBytes.reset();
-  if (plan_.method->hasBudget()) {
-    planBudget(plan_, settings_.oit, samples);
-    sizePool(plan_.slots);
-  } else if (before != plan_.method || plan_.slots < samples) {
-    sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
-  }
+  planMethod(samples);
   resources_.setBufferBytes(Resource::OitTotals, sizeof(shader::OitTotals));
+  resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
   list_.prepare(inputs_, resources_, machine_.programs, machine_.capabilities.maxStorageBlockBytes);
+  if (inputs_.facts.transparentTriangles > 0) statistics_.prepare(inputs_, machine_.programs);
   prepared_ = true;
 }
 
@@ -132,6 +177,8 @@ void FrameRenderer::uploadConstants() {
   c.gaze = glm::vec4(inputs_.gaze.x * size.x, (1.0F - inputs_.gaze.y) * size.y, 0.0F, 0.0F);
   c.background = glm::vec4(settings_.background, 1.0F);
   c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
+  c.oit = glm::uvec4(plan_.layers, plan_.slots, 0U, 0U);
+  c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
   constants_.upload(&c, sizeof(c));
   glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_.id());
 }
@@ -162,7 +209,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
   shader::OitTotals totals = runOnce();
   extraMs_ = 0.0;
   int recaptures = 0;
-  while (!plan_.method->hasBudget() && plan_.method->stores() && totals.cursor > plan_.slots) {
+  while (plan_.method->grows() && !plan_.budgetBytes && totals.cursor > plan_.slots) {
     extraMs_ += timer_.totalMs();
     sizePool(grown(totals.cursor));
     list_.prepare(inputs_, resources_, machine_.programs,
@@ -170,45 +217,57 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
     totals = runOnce();
     ++recaptures;
   }
-  deepestSeen_ = std::max(deepestSeen_, totals.countMax);
-  plan_.largestLayers = totals.kMax;
+  FrameResult result = resultOf(totals);
+  result.recaptures = recaptures;
+  deepestSeen_ = std::max(deepestSeen_, result.deepest);
+  lastViewProjection_ = inputs_.view.viewProjection;
   lastCamera_ = camera;
   historyUsable_ = true;
   ++inputs_.frameIndex;
-  FrameResult result = resultOf(totals);
-  result.recaptures = recaptures;
   return result;
 }
 
-FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) const {
+FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
   FrameResult result;
   result.totalMs = timer_.totalMs() + extraMs_;
   result.passes = list_.times();
-  const bool transparent = inputs_.facts.transparentTriangles > 0;
   result.lockFailures = totals.lockFailures;
-  result.deepest = totals.countMax;
-  if (!transparent) {
+  if (inputs_.facts.transparentTriangles == 0) {
     result.fragments = FragmentCounts{};
     result.exact = true;
-    return result;
+  } else if (plan_.method->insertion != Insertion::Blended &&
+             plan_.method->insertion != Insertion::Weighted) {
+    countFragments(totals, result);
   }
-  if (!plan_.method->counts()) return result;
+  return result;
+}
+
+void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult& result) {
+  frame::PassContext context(inputs_, resources_);
+  const shader::OitStatistics s = statistics_.measure(context);
+  const Method& method = *plan_.method;
   FragmentCounts counts;
-  counts.generated = totals.generated;
-  counts.stored = totals.stored - std::min(totals.stored, totals.lockFailures);
-  counts.lost = counts.generated - counts.stored;
+  counts.generated = s.generated;
+  counts.stored = s.stored - std::min(s.stored, totals.lockFailures);
+  counts.merged = s.merged;
+  if (method.insertion == Insertion::Linked) counts.stored = std::min(totals.cursor, plan_.slots);
+  counts.lost = counts.generated - counts.stored - counts.merged;
   result.fragments = counts;
-  if (totals.covered > 0) {
-    result.layers = LayerStatistics{~totals.kMinInverted, totals.kMax,
-                                    static_cast<double>(totals.cursor) / totals.covered};
+  result.deepest = s.countMax;
+  plan_.largestLayers = s.kMax;
+  if (s.covered > 0 && method.stores() && method.insertion != Insertion::Linked) {
+    result.layers =
+        LayerStatistics{~s.kMinInverted, s.kMax, static_cast<double>(s.slots) / s.covered};
   }
   // Where the device bounds loops, the sort of a deeper pixel would be cut short.
-  const bool sorts = plan_.method->insertion == Insertion::Appended;
-  const bool sortable = !sorts || machine_.capabilities.maxLoopIterations == 0 ||
-                        totals.countMax <= kDeepestBoundedSort;
-  result.exact =
-      counts.lost == 0 && totals.cursor <= plan_.slots && plan_.sync != SyncMode::None && sortable;
-  return result;
+  const std::uint32_t deepest =
+      method.insertion == Insertion::Linked ? kDeepestBoundedMerge : kDeepestBoundedSort;
+  const bool sortable = (method.insertion != Insertion::Appended &&
+                         method.insertion != Insertion::Linked) ||
+                        machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
+  const bool keepsOrder = plan_.sync != SyncMode::None || method.insertion != Insertion::Sorted;
+  result.exact = counts.lost == 0 && counts.merged == 0 && keepsOrder && sortable &&
+                 !plan_.packed() && method.insertion != Insertion::StencilRouted;
 }
 
 void FrameRenderer::readDisplay(std::vector<std::uint8_t>& rgb) const {

@@ -13,6 +13,7 @@
 #include "engine/scene/gpu_scene.h"
 #include "passes/machine.h"
 #include "passes/oit/plan.h"
+#include "passes/oit/statistics.h"
 #include "passes/render_settings.h"
 #include "shared/oit_totals.h"
 
@@ -73,14 +74,18 @@ class FrameRenderer {
 
  private:
   void prepare();
+  void planMethod(std::uint64_t samples);
+  void planRoutedSamples();
   void sizePool(std::uint32_t slots);
   void uploadConstants();
   [[nodiscard]] shader::OitTotals runOnce();
-  [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals) const;
+  [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);
+  void countFragments(const shader::OitTotals& totals, FrameResult& result);
 
   const RenderSettings& settings_;
   Machine& machine_;
   OitPlan plan_;
+  OitStatisticsCounter statistics_;
   frame::FrameInputs inputs_;
   frame::FrameResources resources_;
   frame::FrameList list_;
@@ -89,6 +94,7 @@ class FrameRenderer {
   std::optional<scene::Camera> lastCamera_;
   std::uint32_t deepestSeen_ = 0;
   double extraMs_ = 0.0;
+  glm::mat4 lastViewProjection_{1.0F};
   bool prepared_ = false;
   bool historyUsable_ = false;
 };

@@ -37,9 +37,9 @@ const Map* find(const std::string& name) {
 
 /// Whether the plan's method makes what the map shows.
 bool isMade(const Map& map, const OitPlan& plan) {
-  if (map.source == Resource::FragmentRange) return plan.method->stores();
+  if (map.source == Resource::FragmentRange) return plan.method->hasRanges();
   if (map.source == Resource::FragmentCount) return plan.method->counts();
-  return plan.method->allocation == Allocation::ImportanceMap;
+  return plan.mapsImportance();
 }
 
 }  // namespace

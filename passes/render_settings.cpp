@@ -26,6 +26,29 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                s.memoryMiB, {.min = 0.0, .max = 8192.0});
   registry.addChoice({.key = "oit.sync", .help = "how fragments of one pixel take turns"}, s.sync,
                      {"auto", "interlock", "spinlock", "ordered", "none"});
+  registry.add({.key = "oit.layers",
+                .unit = "layers",
+                .help = "slots a sample of ab-array, layers of peel"},
+               s.layers, {.min = 1.0, .max = 1024.0});
+  registry.addChoice({.key = "oit.tail", .help = "what becomes of fragments that are not kept"},
+                     s.tail, {"none", "mean"});
+  registry.add({.key = "oit.fill",
+                .help = "no sample gets more slots than it has fragments; the rest is handed on"},
+               s.fill);
+  registry.addChoice({.key = "oit.importance", .help = "what says how many layers a sample needs"},
+                     s.importance, {"published", "transmittance", "error"});
+  registry.addChoice({.key = "oit.cull", .help = "early rejection behind the k-th layer"}, s.cull,
+                     {"none", "occupancy"});
+  registry.add({.key = "oit.cullWords",
+                .unit = "32-bit words a sample",
+                .help = "d of Vasilakis 2015: 32 d depth intervals"},
+               s.cullWords, {.min = 1.0, .max = 64.0});
+  registry.addNumberChoice({.key = "oit.fragmentBytes",
+                            .unit = "bytes",
+                            .help = "of a fragment that a sorted k-buffer stores"},
+                           s.fragmentBytes, {16, 8});
+  registry.addChoice({.key = "oit.count", .help = "where the number of a sample's fragments is from"},
+                     s.count, {"drawn", "predicted"});
 }
 
 void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
@@ -40,6 +63,17 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
                 .unit = "layers",
                 .help = "N_limit of Vasilakis 2017, Eq. 3; 0: the largest count seen so far"},
                s.layerLimit, {.min = 0.0, .max = 65535.0});
+  registry.add({.key = "importance.slices",
+                .unit = "depth slices",
+                .help = "that oit.importance transmittance and error predict from"},
+               s.slices, {.min = 1.0, .max = 16.0});
+  registry.addNumberChoice({.key = "importance.tile",
+                            .unit = "samples a side",
+                            .help = "that share their depth slices"},
+                           s.tile, {1, 2, 4});
+  registry.add({.key = "importance.gazeWeight",
+                .help = "how far predicted errors count less away from the gaze"},
+               s.gazeWeight, {.min = 0.0, .max = 1.0});
   registry.add({.key = "importance.noisePerFrame", .help = "a new random number each frame"},
                s.noisePerFrame);
 }

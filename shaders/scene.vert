@@ -1,6 +1,7 @@
 // The vertex stage of every pass that draws the scene. One invariant position serves them all, so
 // that a fragment has the same depth wherever it is drawn.
-// SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests.
+// SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
+// beside the position alone.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 
@@ -22,10 +23,12 @@ layout(location = 0) uniform mat4 shadowViewProjection;
 
 invariant gl_Position;
 
+#if !defined(POSITION_ONLY) || defined(WITH_IDS)
+layout(location = 2) flat out uvec3 outIds;  // material, id of the first triangle, id step
+#endif
 #ifndef POSITION_ONLY
 layout(location = 0) out vec4 outUv;  // xy: first set, zw: second
 layout(location = 1) out vec4 outColor;
-layout(location = 2) flat out uvec3 outIds;  // material, id of the first triangle, id step
 #ifndef UV_ONLY
 layout(location = 3) out vec3 outPosition;
 layout(location = 4) out vec3 outNormal;
@@ -44,10 +47,12 @@ void main() {
 #else
   gl_Position = frame.viewProjection * vec4(world, 1.0);
 #endif
+#if !defined(POSITION_ONLY) || defined(WITH_IDS)
+  outIds = instance.ids.xyz;
+#endif
 #ifndef POSITION_ONLY
   outUv = vec4(uv0, uv1);
   outColor = color;
-  outIds = instance.ids.xyz;
 #ifndef UV_ONLY
   outPosition = world;
   outNormal = vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),

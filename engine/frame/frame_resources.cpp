@@ -34,6 +34,7 @@ glm::ivec2 FrameResources::sizeOf(const ResourceInfo& info, glm::ivec2 output,
       return output;
     case SizeRule::Display:
     case SizeRule::DisplayOverR:
+    case SizeRule::DisplaySamples:
       return display;
     case SizeRule::Fixed:
       return fixedSizes_[indexOf(info.id)];
@@ -71,9 +72,14 @@ void FrameResources::allocate(std::span<const Resource> needed, glm::ivec2 outpu
       clear(resource);
     } else {
       const glm::ivec2 size = sizeOf(info, outputSize, displaySize);
-      if (texture.width() == size.x && texture.height() == size.y) continue;
+      const int samples = info.size == SizeRule::DisplaySamples ? multisamples_ : 0;
+      if (texture.width() == size.x && texture.height() == size.y &&
+          texture.samples() == samples) {
+        continue;
+      }
       texture = {};
-      texture = gl::Texture(info.name, info.format, size.x, size.y);
+      texture = samples > 0 ? gl::Texture::multisample(info.name, info.format, size, samples)
+                            : gl::Texture(info.name, info.format, size.x, size.y);
       if (info.clear != ClearKind::Never) clear(resource);
     }
     changed = true;
@@ -135,7 +141,9 @@ GLuint FrameResources::framebuffer(std::initializer_list<Resource> colors, Resou
   }
   glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(buffers.size()), buffers.data());
   if (depth != Resource::Count) {
-    glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, texture(depth).id(), 0);
+    const bool stencil = texture(depth).format() == GL_DEPTH32F_STENCIL8;
+    glNamedFramebufferTexture(id, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                              texture(depth).id(), 0);
   }
   assert(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
   framebuffers_.push_back({colors, depth, std::move(owner)});

@@ -26,6 +26,8 @@ class FrameResources {
  public:
   void setFixedSize(Resource texture, glm::ivec2 size);
   void setBufferBytes(Resource buffer, std::size_t bytes);
+  /// Samples of the textures whose size rule is DisplaySamples, >= 1.
+  void setMultisamples(int samples) { multisamples_ = samples; }
   void setBackground(const glm::vec3& linear) { background_ = linear; }
 
   /// Makes what is listed and not there at the right size, and releases what is not listed.
@@ -58,6 +60,7 @@ class FrameResources {
   std::array<gl::Buffer, kResourceCount> buffers_;
   std::array<glm::ivec2, kResourceCount> fixedSizes_{};
   std::array<std::size_t, kResourceCount> bufferBytes_{};
+  int multisamples_ = 1;
   std::vector<Cached> framebuffers_;
   glm::vec3 background_{0.0F};
 };

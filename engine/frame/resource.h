@@ -25,8 +25,27 @@ enum class Resource : std::uint8_t {
   FragmentRange,      ///< x: first slot of the pixel, y: number of its slots, k(p)
   FragmentFill,       ///< slots in use
   FragmentLock,       ///< one spin lock a pixel
-  FragmentKeys,       ///< per slot: depth key, id
+  FragmentKeys,       ///< per slot: depth key, id; or a whole packed fragment
   FragmentColors,     ///< per slot: premultiplied RGBA16F
+  FragmentLinks,      ///< per slot of a list: number of the next one plus one
+  TailSums,           ///< sum of tau c, sum of tau of what was left out or weighted
+  RoutedKeys,         ///< per multisample slot: depth key, id
+  RoutedColors,       ///< per multisample slot: premultiplied RGBA16F
+  RoutedStencil,      ///< opaque depth and the stencil that routes
+  PeelDepth,          ///< depth of the layer being peeled
+  PeelIds,            ///< least id at that depth
+  PeelColor,          ///< the layer's colour
+  PeelLast,           ///< key of the last layer
+  PeelSum,            ///< layers so far: colour, transmittance
+  WeightedColors,     ///< weighted sums of wboit
+  SliceSums,          ///< per tile and depth slice: count, optical depth, colour
+  TileDepth,          ///< farthest opaque depth of a tile
+  CountBins,          ///< how many pixels have 1, 2, ... fragments
+  StripSums,          ///< per strip: what an allocation sums
+  SlotBids,           ///< slots that a pixel takes at the high and the low price
+  DepthRange,         ///< nearest and farthest transparent depth of a pixel
+  Occupancy,          ///< per pixel: which depth intervals hold a fragment
+  CullDepth,          ///< opaque depth, or behind the k-th occupied interval if that is nearer
   OitTotals,          ///< sums over the image: see shaders/shared/oit_totals.h
   LinearColor,        ///< tone-mapped image before encoding, linear
   DisplayColor,       ///< the image that is shown: RGBA8, encoded
@@ -42,7 +61,8 @@ enum class SizeRule : std::uint8_t {
   DisplayOverR,  ///< display / r; allocated at full size, so that a change of r moves viewports
                  ///< only
   Fixed,         ///< set by FrameResources::setFixedSize
-  Bytes,         ///< a buffer, set by FrameResources::setBufferBytes
+  DisplaySamples,  ///< a multisample texture, see FrameResources::setMultisamples
+  Bytes,           ///< a buffer, set by FrameResources::setBufferBytes
 };
 
 /// Which line of the report a resource's bytes belong to.

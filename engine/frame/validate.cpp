@@ -60,7 +60,10 @@ class Validator {
       }
       return;
     }
-    if (touch.access == Access::Write || touch.access == Access::Keep) return;
+    if (touch.access == Access::Write || touch.access == Access::Keep ||
+        touch.access == Access::Scratch) {
+      return;
+    }
     if (s.writer.empty() && infoOf(touch.resource).clear == ClearKind::Never) {
       report("pass '{}' reads {}, which no earlier pass writes", pass.name, nameOf(touch.resource));
     }
@@ -70,7 +73,7 @@ class Validator {
   void visitWrite(const DeclaredPass& pass, const Touch& touch) {
     if (touch.access == Access::Read || touch.access == Access::ReadHistory) return;
     State& s = state(touch.resource);
-    if (touch.access == Access::Consume) {
+    if (touch.access == Access::Consume || touch.access == Access::Scratch) {
       s.writer = {};  // a later read finds nothing
       return;
     }

@@ -1,5 +1,8 @@
 #include "engine/gl/capabilities.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "engine/core/error.h"
 #include "engine/gl/gl.h"
 
@@ -15,6 +18,25 @@ int integer(GLenum name) {
   GLint value = 0;
   glGetIntegerv(name, &value);
   return value;
+}
+
+/// Numbers of samples that a format can really have: a number in between is rounded up.
+std::vector<int> samplesOf(GLenum format) {
+  GLint count = 0;
+  glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS, 1, &count);
+  std::vector<int> samples(static_cast<std::size_t>(count));
+  glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES, count, samples.data());
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+std::vector<int> samplesOfAll(std::initializer_list<GLenum> formats) {
+  std::vector<int> common = samplesOf(*formats.begin());
+  for (const GLenum format : formats) {
+    const std::vector<int> own = samplesOf(format);
+    std::erase_if(common, [&](int n) { return !std::binary_search(own.begin(), own.end(), n); });
+  }
+  return common;
 }
 
 }  // namespace
@@ -34,6 +56,7 @@ Capabilities readCapabilities() {
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &c.maxStorageBlockBytes);
   c.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
   c.maxSamples = integer(GL_MAX_SAMPLES);
+  c.routableSamples = samplesOfAll({GL_RG32UI, GL_RGBA16F, GL_DEPTH32F_STENCIL8});
   c.fragmentShaderInterlock = epoxy_has_gl_extension("GL_ARB_fragment_shader_interlock");
   c.timerQuery = true;  // core since 3.3; whether it tells the truth is for the time-source check
   if (c.renderer.starts_with("llvmpipe")) {

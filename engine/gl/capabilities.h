@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace macula::gl {
 
@@ -16,6 +17,8 @@ struct Capabilities {
   std::int64_t maxStorageBlockBytes = 0;  ///< GL_MAX_SHADER_STORAGE_BLOCK_SIZE
   int maxTextureSize = 0;
   int maxSamples = 0;
+  /// Numbers of samples in which multisample integer, half-float and stencil targets all exist.
+  std::vector<int> routableSamples = {};
   bool fragmentShaderInterlock = false;  ///< GL_ARB_fragment_shader_interlock
   bool timerQuery = false;
   /// Rasterisers known to draw a pixel's fragments in order on one thread; still to be confirmed by

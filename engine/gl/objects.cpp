@@ -76,13 +76,29 @@ Texture::Texture(std::string_view name, GLenum format, int width, int height, in
   label(GL_TEXTURE, id, name);
 }
 
+Texture Texture::multisample(std::string_view name, GLenum format, glm::ivec2 size, int samples) {
+  Texture texture;
+  texture.format_ = format;
+  texture.width_ = size.x;
+  texture.height_ = size.y;
+  texture.levels_ = 1;
+  texture.samples_ = samples;
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
+  texture.object_ = Object<TextureTraits>(id);
+  glTextureStorage2DMultisample(id, samples, format, size.x, size.y, GL_TRUE);
+  failIfOutOfMemory(name, texture.bytes());
+  label(GL_TEXTURE, id, name);
+  return texture;
+}
+
 std::size_t Texture::bytes() const {
   std::size_t sum = 0;
   for (int level = 0; level < levels_; ++level) {
     sum += texelBytes(format_) * static_cast<std::size_t>(std::max(1, width_ >> level)) *
            static_cast<std::size_t>(std::max(1, height_ >> level));
   }
-  return sum;
+  return sum * static_cast<std::size_t>(std::max(1, samples_));
 }
 
 std::size_t texelBytes(GLenum format) {
@@ -102,7 +118,9 @@ std::size_t texelBytes(GLenum format) {
     case GL_DEPTH_COMPONENT32F:
       return 4;
     case GL_RG32UI:
+    case GL_RG32F:
     case GL_RGBA16F:
+    case GL_DEPTH32F_STENCIL8:
       return 8;
     case GL_RGBA32F:
     case GL_RGBA32UI:

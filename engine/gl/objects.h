@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -97,11 +98,14 @@ class Texture {
   Texture() = default;
   /// @param format sized internal format · @param levels mip levels, >= 1
   Texture(std::string_view label, GLenum format, int width, int height, int levels = 1);
+  /// glTextureStorage2DMultisample with fixed sample places. @param samples >= 1
+  static Texture multisample(std::string_view label, GLenum format, glm::ivec2 size, int samples);
   [[nodiscard]] GLuint id() const { return object_.id(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] GLenum format() const { return format_; }
+  [[nodiscard]] int samples() const { return samples_; }  ///< 0: no multisample texture
   [[nodiscard]] std::size_t bytes() const;  ///< of all levels, by the format's texel size
   explicit operator bool() const { return static_cast<bool>(object_); }
 
@@ -111,6 +115,7 @@ class Texture {
   int width_ = 0;
   int height_ = 0;
   int levels_ = 0;
+  int samples_ = 0;
 };
 
 /// Bytes of one texel of the sized formats that Macula uses.

@@ -15,6 +15,7 @@ void apply(const RenderState& state) {
   glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
   enable(GL_BLEND, state.blend != Blend::Off);
   glBlendFunc(GL_ONE, state.blend == Blend::Add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+  glBlendEquation(state.blend == Blend::Max ? GL_MAX : GL_FUNC_ADD);
   enable(GL_FRAMEBUFFER_SRGB, state.encodeSrgb);
 }
 

@@ -11,6 +11,7 @@ enum class Blend : std::uint8_t {
   Off,
   Add,            ///< glBlendFunc(ONE, ONE)
   Premultiplied,  ///< glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA)
+  Max,            ///< glBlendEquation(MAX)
 };
 
 struct RenderState {

@@ -1,25 +1,21 @@
-// Gives every pixel its k and its contiguous range of slots.
+// Gives each pixel its slots.
 #pragma once
 
-#include "engine/frame/pass.h"
-#include "engine/frame/pass_context.h"
-#include "passes/oit/plan.h"
-#include "passes/scene_draw.h"
+#include "passes/oit/oit_pass.h"
 
 namespace macula::passes {
 
-class AllocatePass final : public frame::Pass {
+class AllocatePass final : public OitPass {
  public:
-  explicit AllocatePass(const OitPlan& plan) : plan_(plan) {}
+  using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.allocate"; }
-  void declare(frame::PassDeclaration& d) const override;
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
   void execute(frame::PassContext& context) override;
 
  private:
-  const OitPlan& plan_;
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
   GLuint program_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "passes/oit/blend_pass.h"
 
 #include "engine/gl/render_state.h"
-#include "passes/oit/common.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
@@ -9,19 +8,14 @@ namespace macula::passes {
 using frame::Resource;
 using frame::Use;
 
-void BlendPass::declare(frame::PassDeclaration& d) const {
-  if (plan_.method->stores()) return;
+bool BlendPass::wanted() const {
+  return plan_.method->insertion == Insertion::Blended;
+}
+
+void BlendPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::ShadowMap, Use::Texture);
   d.reads(Resource::Depth, Use::DepthTarget);
   d.modifies(Resource::HdrColor, Use::ColorTarget);
-}
-
-bool BlendPass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 && !plan_.method->stores();
-}
-
-std::string BlendPass::reason(const frame::FrameInputs& in) const {
-  return transparencyReason(in, !plan_.method->stores(), plan_.method->id);
 }
 
 void BlendPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {

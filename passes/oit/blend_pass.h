@@ -1,25 +1,22 @@
-// Transparency by unsorted blending: the floor of speed that other methods are measured against.
+// Transparent fragments over one another in the order in which they are drawn.
 #pragma once
 
-#include "engine/frame/pass.h"
-#include "engine/frame/pass_context.h"
-#include "passes/oit/plan.h"
+#include "passes/oit/oit_pass.h"
 #include "passes/scene_draw.h"
 
 namespace macula::passes {
 
-class BlendPass final : public frame::Pass {
+class BlendPass final : public OitPass {
  public:
-  explicit BlendPass(const OitPlan& plan) : plan_(plan) {}
+  using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.blend"; }
-  void declare(frame::PassDeclaration& d) const override;
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
   void execute(frame::PassContext& context) override;
 
  private:
-  const OitPlan& plan_;
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
   SceneVariants variants_;
 };
 

@@ -1,7 +1,6 @@
 #include "passes/oit/capture_pass.h"
 
 #include "engine/gl/render_state.h"
-#include "passes/oit/common.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
@@ -9,32 +8,42 @@ namespace macula::passes {
 using frame::Resource;
 using frame::Use;
 
-void CapturePass::declare(frame::PassDeclaration& d) const {
-  if (!plan_.method->stores()) return;
+bool CapturePass::wanted() const {
+  return plan_.method->stores() && plan_.method->insertion != Insertion::StencilRouted;
+}
+
+void CapturePass::declareWork(frame::PassDeclaration& d) const {
+  const Insertion insertion = plan_.method->insertion;
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(Resource::Depth, Use::DepthTarget);
-  d.reads(Resource::FragmentRange, Use::Image);
-  d.modifies(Resource::FragmentFill, Use::Image);
-  if (plan_.method->keepsFrontNormal()) d.modifies(Resource::FrontNormal, Use::Image);
+  d.reads(plan_.culls() ? Resource::CullDepth : Resource::Depth, Use::DepthTarget);
+  if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Image);
+  if (insertion != Insertion::AtomicMin) d.modifies(Resource::FragmentFill, Use::Image);
+  if (plan_.keepsFrontNormal()) d.modifies(Resource::FrontNormal, Use::Image);
   if (plan_.usesLocks()) d.consumes(Resource::FragmentLock, Use::Image);
-  d.writes(Resource::FragmentKeys, Use::Storage);
-  d.writes(Resource::FragmentColors, Use::Storage);
+  // The keys of kb-atomic and the tails that an allocation has emptied are there already.
+  const bool begun =
+      insertion == Insertion::AtomicMin || (plan_.tailInSlot() && !plan_.dynamicTail());
+  const auto store = [&](Resource r, bool modified) {
+    modified ? d.modifies(r, Use::Storage) : d.writes(r, Use::Storage);
+  };
+  store(Resource::FragmentKeys, begun);
+  if (!plan_.packed()) {
+    store(Resource::FragmentColors, begun && insertion != Insertion::AtomicMin);
+  }
+  if (insertion == Insertion::Linked) d.writes(Resource::FragmentLinks, Use::Storage);
+  if (plan_.denseTail()) d.writes(Resource::TailSums, Use::ColorTarget);
   d.modifies(Resource::OitTotals, Use::Storage);
-}
-
-bool CapturePass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 && plan_.method->stores();
-}
-
-std::string CapturePass::reason(const frame::FrameInputs& in) const {
-  return transparencyReason(in, plan_.method->stores(), plan_.method->id);
 }
 
 void CapturePass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
   gl::Defines defines = definesOf(plan_);
+  if (plan_.method->insertion != Insertion::AtomicMin) {
+    for (auto& define : syncDefines(plan_)) defines.push_back(define);
+  }
+  if (plan_.keepsFrontNormal()) defines.emplace_back("FRONT_NORMAL", "1");
   for (auto& define : lightingDefines(in.facts)) defines.push_back(define);
   std::vector<std::string> extensions;
-  if (plan_.sync == SyncMode::Interlock && plan_.method->insertion == Insertion::Sorted) {
+  if (plan_.sync == SyncMode::Interlock && plan_.sorted()) {
     extensions.emplace_back("GL_ARB_fragment_shader_interlock");
   }
   variants_.prepare(in.gpu->transparent().runs, "oit/capture.frag", defines, extensions, programs);
@@ -42,18 +51,30 @@ void CapturePass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
 
 void CapturePass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({}, Resource::Depth);
-  gl::apply({.depthTest = true});
+  const Insertion insertion = plan_.method->insertion;
+  const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
+  if (plan_.denseTail()) {
+    context.bindTargets({Resource::TailSums}, depth);
+    gl::apply({.depthTest = true, .blend = gl::Blend::Add});
+    constexpr GLfloat kNone[4]{};
+    glClearBufferfv(GL_COLOR, 0, kNone);
+  } else {
+    context.bindTargets({}, depth);
+    gl::apply({.depthTest = true});
+  }
   gpu.bindLights();
   context.bindTexture(TEX_SHADOW_MAP, Resource::ShadowMap);
-  context.bindImage(IMG_0, Resource::FragmentRange, GL_READ_ONLY);
-  context.bindImage(IMG_1, Resource::FragmentFill, GL_READ_WRITE);
-  if (plan_.method->keepsFrontNormal()) {
-    context.bindImage(IMG_2, Resource::FrontNormal, GL_WRITE_ONLY);
+  if (plan_.method->hasRanges()) context.bindImage(IMG_0, Resource::FragmentRange, GL_READ_ONLY);
+  if (insertion != Insertion::AtomicMin) {
+    context.bindImage(IMG_1, Resource::FragmentFill, GL_READ_WRITE);
   }
+  if (plan_.keepsFrontNormal()) context.bindImage(IMG_2, Resource::FrontNormal, GL_WRITE_ONLY);
   if (plan_.usesLocks()) context.bindImage(IMG_3, Resource::FragmentLock, GL_READ_WRITE);
   context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
-  context.bindStorage(SSBO_FRAGMENT_COLORS, Resource::FragmentColors);
+  if (!plan_.packed()) context.bindStorage(SSBO_FRAGMENT_COLORS, Resource::FragmentColors);
+  if (insertion == Insertion::Linked) {
+    context.bindStorage(SSBO_FRAGMENT_LINKS, Resource::FragmentLinks);
+  }
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
   variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
 }

@@ -1,25 +1,20 @@
 #include "passes/oit/count_pass.h"
 
 #include "engine/gl/render_state.h"
-#include "passes/oit/common.h"
+#include "shared/bindings.h"
 
 namespace macula::passes {
 
 using frame::Resource;
 using frame::Use;
 
-void CountPass::declare(frame::PassDeclaration& d) const {
-  if (!plan_.method->counts()) return;
+bool CountPass::wanted() const {
+  return plan_.method->counts();
+}
+
+void CountPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::Depth, Use::DepthTarget);
   d.writes(Resource::FragmentCount, Use::ColorTarget);
-}
-
-bool CountPass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 && plan_.method->counts();
-}
-
-std::string CountPass::reason(const frame::FrameInputs& in) const {
-  return transparencyReason(in, plan_.method->counts(), plan_.method->id);
 }
 
 void CountPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {

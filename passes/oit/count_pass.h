@@ -1,25 +1,22 @@
-// Counts the transparent fragments of each pixel that pass opaque depth.
+// Counts transparent fragments per pixel by additive blending.
 #pragma once
 
-#include "engine/frame/pass.h"
-#include "engine/frame/pass_context.h"
-#include "passes/oit/plan.h"
+#include "passes/oit/oit_pass.h"
 #include "passes/scene_draw.h"
 
 namespace macula::passes {
 
-class CountPass final : public frame::Pass {
+class CountPass final : public OitPass {
  public:
-  explicit CountPass(const OitPlan& plan) : plan_(plan) {}
+  using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.count"; }
-  void declare(frame::PassDeclaration& d) const override;
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
   void execute(frame::PassContext& context) override;
 
  private:
-  const OitPlan& plan_;
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
   SceneVariants variants_;
 };
 

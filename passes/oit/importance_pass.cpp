@@ -1,6 +1,5 @@
 #include "passes/oit/importance_pass.h"
 
-#include "passes/oit/common.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
@@ -8,22 +7,16 @@ namespace macula::passes {
 using frame::Resource;
 using frame::Use;
 
-void ImportancePass::declare(frame::PassDeclaration& d) const {
-  if (plan_.method->allocation != Allocation::ImportanceMap) return;
+bool ImportancePass::wanted() const {
+  return plan_.mapsImportance();
+}
+
+void ImportancePass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::FragmentCount, Use::Texture);
   d.readsHistory(Resource::FrontNormal, Use::Texture);
   d.writes(Resource::Importance, Use::Image);
   if (plan_.factorMaps) d.writes(Resource::ImportanceFactors, Use::Image);
   d.modifies(Resource::OitTotals, Use::Storage);
-}
-
-bool ImportancePass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 && plan_.method->allocation == Allocation::ImportanceMap;
-}
-
-std::string ImportancePass::reason(const frame::FrameInputs& in) const {
-  return transparencyReason(in, plan_.method->allocation == Allocation::ImportanceMap,
-                            plan_.method->id);
 }
 
 void ImportancePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {

@@ -1,25 +1,49 @@
 #include "passes/oit/plan.h"
 
 #include <cmath>
-#include <limits>
 
 #include "engine/core/error.h"
 
 namespace macula::passes {
+namespace {
 
-void planBudget(OitPlan& plan, const OitSettings& settings, std::uint64_t samples) {
+/// Products of importance and slots must stay exact in shaders/lib/budget.glsl.
+constexpr double kMostSlots = 1U << 29U;
+
+/// Bytes that the budget grants. Vasilakis 2017, Eq. 2: M = k_ave w h fragments; or M bytes.
+double grantedBytes(const OitPlan& plan, std::uint64_t samples) {
   constexpr double kMebi = 1024.0 * 1024.0;
-  // Vasilakis 2017, Eq. 2: M = k_ave w h fragments; or M bytes.
-  const double fragments = settings.memoryMiB > 0.0
-                               ? std::floor(settings.memoryMiB * kMebi / kFragmentBytes)
-                               : std::floor(settings.kAve * static_cast<double>(samples));
-  // Products of importance and slots must stay exact in shaders/lib/budget.glsl.
-  constexpr double kMostSlots = 1U << 29U;
+  const OitSettings& s = plan.options;
+  if (s.memoryMiB > 0.0) return std::floor(s.memoryMiB * kMebi);
+  const double slots = std::floor(s.kAve * static_cast<double>(samples));
+  return slots * static_cast<double>(plan.fragmentBytes());
+}
+
+void planConstant(OitPlan& plan, std::uint64_t samples, double bytes) {
+  const double perSample = bytes / static_cast<double>(samples);
+  const double tail = plan.denseTail() ? static_cast<double>(kDenseTailBytes) : 0.0;
+  const double layers = std::floor((perSample - tail) / static_cast<double>(plan.fragmentBytes()));
+  if (layers < 1.0 || layers * static_cast<double>(samples) > kMostSlots) {
+    failInput(
+        "the transparency budget gives each of {} samples {:.2f} bytes, which {} cannot cut into "
+        "equal layers of {} bytes{}; change --k-ave or --oit-memory",
+        samples, perSample, plan.method->id, plan.fragmentBytes(),
+        plan.denseTail() ? " beside its tail of 16" : "");
+  }
+  plan.layers = static_cast<std::uint32_t>(layers);
+  plan.slots = static_cast<std::uint32_t>(plan.layers * samples);
+}
+
+}  // namespace
+
+void planBudget(OitPlan& plan, std::uint64_t samples) {
+  const double bytes = grantedBytes(plan, samples);
+  const double fragments = std::floor(bytes / static_cast<double>(plan.fragmentBytes()));
   if (fragments < 1.0) {
     failInput(
         "the transparency budget holds no fragment ({} bytes each); raise --k-ave or "
         "--oit-memory",
-        kFragmentBytes);
+        plan.fragmentBytes());
   }
   if (fragments > kMostSlots) {
     failInput(
@@ -27,36 +51,56 @@ void planBudget(OitPlan& plan, const OitSettings& settings, std::uint64_t sample
         "--oit-memory",
         fragments, kMostSlots);
   }
+  plan.budgetBytes = static_cast<std::uint64_t>(bytes);
   plan.slots = static_cast<std::uint32_t>(fragments);
-  plan.budgetBytes = settings.memoryMiB > 0.0
-                         ? static_cast<std::uint64_t>(settings.memoryMiB * kMebi)
-                         : plan.slots * kFragmentBytes;
+  if (plan.method->allocation == Allocation::Constant) planConstant(plan, samples, bytes);
 }
 
 gl::Defines definesOf(const OitPlan& plan) {
   gl::Defines defines;
-  defines.emplace_back(plan.method->allocation == Allocation::ExactCount ? "ALLOCATION_EXACT"
-                                                                         : "ALLOCATION_IMPORTANCE",
-                       "1");
-  const bool sorted = plan.method->insertion == Insertion::Sorted;
-  defines.emplace_back(sorted ? "INSERTION_SORTED" : "INSERTION_APPEND", "1");
-  switch (plan.sync) {
-    case SyncMode::Interlock:
-      defines.emplace_back("SYNC_INTERLOCK", "1");
+  const auto define = [&](const char* name) { defines.emplace_back(name, "1"); };
+  switch (plan.method->insertion) {
+    case Insertion::Appended:
+      define("INSERTION_APPEND");
       break;
-    case SyncMode::Ordered:
-      defines.emplace_back("SYNC_ORDERED", "1");
+    case Insertion::Linked:
+      define("INSERTION_LINKED");
       break;
-    case SyncMode::None:
-      defines.emplace_back("SYNC_NONE", "1");
+    case Insertion::Sorted:
+      define("INSERTION_SORTED");
       break;
-    case SyncMode::Spinlock:
-    case SyncMode::Auto:
-      defines.emplace_back("SYNC_SPINLOCK", "1");
+    case Insertion::AtomicMin:
+      define("INSERTION_ATOMIC");
+      break;
+    case Insertion::StencilRouted:
+      define("INSERTION_ROUTED");
+      break;
+    case Insertion::Blended:
+    case Insertion::Weighted:
+    case Insertion::Peeled:
       break;
   }
-  if (plan.method->keepsFrontNormal()) defines.emplace_back("FRONT_NORMAL", "1");
+  if (plan.method->hasRanges()) define("RANGES");
+  if (plan.packed()) define("PACKED");
+  if (plan.tailInSlot()) define("TAIL_IN_SLOT");
+  if (plan.dynamicTail()) define("TAIL_DYNAMIC");
+  if (plan.denseTail()) define("TAIL_DENSE");
   return defines;
+}
+
+gl::Defines syncDefines(const OitPlan& plan) {
+  switch (plan.sync) {
+    case SyncMode::Interlock:
+      return {{"SYNC_INTERLOCK", "1"}};
+    case SyncMode::Ordered:
+      return {{"SYNC_ORDERED", "1"}};
+    case SyncMode::None:
+      return {{"SYNC_NONE", "1"}};
+    case SyncMode::Spinlock:
+    case SyncMode::Auto:
+      return {{"SYNC_SPINLOCK", "1"}};
+  }
+  return {};
 }
 
 }  // namespace macula::passes

@@ -2,60 +2,85 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <optional>
-#include <string>
 
 #include "engine/gl/program.h"
 #include "passes/oit/methods.h"
+#include "passes/oit/settings.h"
 #include "passes/oit/sync.h"
 
 namespace macula::passes {
 
-/// Settings of transparency, as a user means them.
-struct OitSettings {
-  std::string method = "kb-variable";
-  double kAve = 4.0;       ///< slots per sample on average, > 0
-  double memoryMiB = 0.0;  ///< 0: by kAve
-  std::string sync = "auto";
-};
-
-/// Settings of the importance map (Vasilakis 2017, Eq. 3-6).
-struct ImportanceSettings {
-  double rangeBias = 0.35;     ///< alpha of Eq. 3
-  double periphery = 3.0;      ///< d of Eq. 4
-  double noise = 0.1;          ///< lambda of Eq. 6
-  double layerLimit = 0.0;     ///< N_limit of Eq. 3; 0: the largest count seen so far
-  bool noisePerFrame = false;  ///< a new xi every frame
-};
-
 /// Bytes of one stored fragment: 32-bit depth, 32-bit id, premultiplied RGBA16F.
 inline constexpr std::uint64_t kFragmentBytes = 16;
+/// Bytes of a link of a list.
+inline constexpr std::uint64_t kLinkBytes = 4;
+/// Bytes of one pixel of the dense tail: sum of tau c, sum of tau.
+inline constexpr std::uint64_t kDenseTailBytes = 16;
 
 /// What follows from settings, size and machine.
 struct OitPlan {
   const Method* method = nullptr;
   SyncMode sync = SyncMode::Spinlock;
+  OitSettings options = {};
   std::uint32_t slots = 1;                        ///< of the fragment pool
+  std::uint32_t layers = 1;                       ///< slots a pixel where they are constant
   std::optional<std::uint64_t> budgetBytes = {};  ///< null for methods without a budget
   ImportanceSettings importance = {};
   float layerLimit = 1.0F;  ///< N_limit in use
   std::uint32_t seed = 1;
   bool factorMaps = false;          ///< importance factors are shown
   std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
+  bool countsDrawn = true;          ///< false: this frame goes by the last one's counts
 
+  [[nodiscard]] bool sorted() const { return method->insertion == Insertion::Sorted; }
   /// Whether each pixel has a spin lock.
-  [[nodiscard]] bool usesLocks() const {
-    return method->insertion == Insertion::Sorted && sync == SyncMode::Spinlock;
+  [[nodiscard]] bool usesLocks() const { return sorted() && sync == SyncMode::Spinlock; }
+  [[nodiscard]] bool hasTail() const { return options.tail == Tail::Mean; }
+  /// The tail is a pixel's own last slot; else, for kb-atomic, a target of its own.
+  [[nodiscard]] bool tailInSlot() const { return hasTail() && sorted(); }
+  [[nodiscard]] bool denseTail() const { return hasTail() && !sorted(); }
+  /// A pixel's slots become a tail when more fragments come than it has slots, because their number
+  /// was not known before.
+  [[nodiscard]] bool dynamicTail() const {
+    return tailInSlot() && (method->allocation == Allocation::Constant || predictsCounts());
   }
+  [[nodiscard]] bool predictsCounts() const { return options.count == CountSource::Predicted; }
+  [[nodiscard]] bool packed() const { return options.fragmentBytes == 8; }
+  /// Fragments are 8-byte keys with their colour inside, so that colours need no array.
+  [[nodiscard]] std::uint64_t fragmentBytes() const {
+    return static_cast<std::uint64_t>(options.fragmentBytes);
+  }
+  /// Slots that a tail takes: its sums need 16 bytes.
+  [[nodiscard]] std::uint32_t tailSlots() const { return packed() ? 2U : 1U; }
+  /// Slots are shared out by price (see AuctionPass), not by the published formula.
+  [[nodiscard]] bool auctions() const {
+    return method->counts() && method->hasBudget() &&
+           (options.fill || options.importance != Predictor::Published || predictsCounts());
+  }
+  /// The importance map of Vasilakis 2017 is computed.
+  [[nodiscard]] bool mapsImportance() const {
+    return method->allocation == Allocation::ImportanceMap &&
+           options.importance == Predictor::Published;
+  }
+  /// Whether the front-most normal is kept for the next frame's Fresnel factor.
+  [[nodiscard]] bool keepsFrontNormal() const { return mapsImportance(); }
+  /// Depth slices are summed before the capture.
+  [[nodiscard]] bool slices() const {
+    return method->allocation == Allocation::ImportanceMap &&
+           options.importance != Predictor::Published;
+  }
+  [[nodiscard]] bool culls() const { return options.cull == Cull::Occupancy; }
 };
 
 /// Slots and bytes for a budgeted method.
 /// @param samples width times height of the frame in samples
 /// @throws InputError where the budget holds no fragment
-void planBudget(OitPlan& plan, const OitSettings& settings, std::uint64_t samples);
+void planBudget(OitPlan& plan, std::uint64_t samples);
 
 /// Defines that specialise the shaders of the plan's method.
 [[nodiscard]] gl::Defines definesOf(const OitPlan& plan);
+/// Defines for how fragments of one pixel take turns.
+[[nodiscard]] gl::Defines syncDefines(const OitPlan& plan);
 
 }  // namespace macula::passes

@@ -1,25 +1,21 @@
-// Counts the pixels whose share of the budget would round to no layer.
+// Counts covered pixels whose share of the budget rounds to nothing.
 #pragma once
 
-#include "engine/frame/pass.h"
-#include "engine/frame/pass_context.h"
-#include "passes/oit/plan.h"
-#include "passes/scene_draw.h"
+#include "passes/oit/oit_pass.h"
 
 namespace macula::passes {
 
-class ReservePass final : public frame::Pass {
+class ReservePass final : public OitPass {
  public:
-  explicit ReservePass(const OitPlan& plan) : plan_(plan) {}
+  using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.reserve"; }
-  void declare(frame::PassDeclaration& d) const override;
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
   void execute(frame::PassContext& context) override;
 
  private:
-  const OitPlan& plan_;
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
   GLuint program_ = 0;
 };
 

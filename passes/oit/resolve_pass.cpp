@@ -1,56 +1,57 @@
 #include "passes/oit/resolve_pass.h"
 
-#include "passes/oit/common.h"
 #include "shared/bindings.h"
-#include "shared/dispatch.h"
 
 namespace macula::passes {
 
 using frame::Resource;
 using frame::Use;
 
-namespace {
+bool ResolvePass::wanted() const {
+  return plan_.method->stores();
+}
 
-constexpr glm::ivec2 kGroup{FULLSCREEN_GROUP};
-
-}  // namespace
-
-void ResolvePass::declare(frame::PassDeclaration& d) const {
-  if (!plan_.method->stores()) return;
-  d.reads(Resource::FragmentRange, Use::Texture);
-  d.reads(Resource::FragmentFill, Use::Texture);
-  if (plan_.method->insertion == Insertion::Sorted) {
-    d.reads(Resource::FragmentKeys, Use::Storage);
-    d.reads(Resource::FragmentColors, Use::Storage);
-  } else {  // deep pixels are sorted in place
+void ResolvePass::declareWork(frame::PassDeclaration& d) const {
+  const Insertion insertion = plan_.method->insertion;
+  if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Texture);
+  if (insertion == Insertion::StencilRouted) {
+    d.reads(Resource::RoutedKeys, Use::Texture);
+    d.reads(Resource::RoutedColors, Use::Texture);
+  } else {
+    if (insertion != Insertion::AtomicMin) d.reads(Resource::FragmentFill, Use::Texture);
+    // Sorting in place leaves the arrays in an order of its own.
     d.consumes(Resource::FragmentKeys, Use::Storage);
-    d.consumes(Resource::FragmentColors, Use::Storage);
+    if (!plan_.packed()) d.consumes(Resource::FragmentColors, Use::Storage);
+    if (insertion == Insertion::Linked) d.consumes(Resource::FragmentLinks, Use::Storage);
   }
+  if (plan_.denseTail()) d.reads(Resource::TailSums, Use::Texture);
   d.modifies(Resource::HdrColor, Use::Image);
 }
 
-bool ResolvePass::hasWork(const frame::FrameInputs& in) const {
-  return in.facts.transparentTriangles > 0 && plan_.method->stores();
-}
-
-std::string ResolvePass::reason(const frame::FrameInputs& in) const {
-  return transparencyReason(in, plan_.method->stores(), plan_.method->id);
-}
-
 void ResolvePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
-  gl::Defines defines;
-  if (plan_.method->insertion == Insertion::Sorted) defines.emplace_back("SORTED", "1");
-  program_ = programs.get({{"oit/resolve.comp"}, defines, {}});
+  program_ = programs.get({{"oit/resolve.comp"}, definesOf(plan_), {}});
 }
 
 void ResolvePass::execute(frame::PassContext& context) {
+  const Insertion insertion = plan_.method->insertion;
   glUseProgram(program_);
-  context.bindTexture(TEX_INPUT0, Resource::FragmentRange);
-  context.bindTexture(TEX_INPUT1, Resource::FragmentFill);
+  if (plan_.method->hasRanges()) context.bindTexture(TEX_INPUT0, Resource::FragmentRange);
+  if (insertion == Insertion::StencilRouted) {
+    context.bindTexture(TEX_INPUT3, Resource::RoutedKeys);
+    context.bindTexture(TEX_INPUT4, Resource::RoutedColors);
+  } else {
+    if (insertion != Insertion::AtomicMin) {
+      context.bindTexture(TEX_INPUT1, Resource::FragmentFill);
+    }
+    context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
+    if (!plan_.packed()) context.bindStorage(SSBO_FRAGMENT_COLORS, Resource::FragmentColors);
+    if (insertion == Insertion::Linked) {
+      context.bindStorage(SSBO_FRAGMENT_LINKS, Resource::FragmentLinks);
+    }
+  }
+  if (plan_.denseTail()) context.bindTexture(TEX_INPUT2, Resource::TailSums);
   context.bindImage(IMG_0, Resource::HdrColor, GL_READ_WRITE);
-  context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
-  context.bindStorage(SSBO_FRAGMENT_COLORS, Resource::FragmentColors);
-  context.dispatch(context.inputs().displaySize, kGroup);
+  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
 }
 
 }  // namespace macula::passes

@@ -1,25 +1,21 @@
 // Composites the stored fragments over the opaque image.
 #pragma once
 
-#include "engine/frame/pass.h"
-#include "engine/frame/pass_context.h"
-#include "passes/oit/plan.h"
-#include "passes/scene_draw.h"
+#include "passes/oit/oit_pass.h"
 
 namespace macula::passes {
 
-class ResolvePass final : public frame::Pass {
+class ResolvePass final : public OitPass {
  public:
-  explicit ResolvePass(const OitPlan& plan) : plan_(plan) {}
+  using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.resolve"; }
-  void declare(frame::PassDeclaration& d) const override;
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
   void execute(frame::PassContext& context) override;
 
  private:
-  const OitPlan& plan_;
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
   GLuint program_ = 0;
 };
 

@@ -1,4 +1,6 @@
-// What the transparency passes share: keys, packing, ranges.
+// What the transparency passes share: keys, ranges, optical depth.
+#ifndef MACULA_OIT_GLSL
+#define MACULA_OIT_GLSL
 #include "shared/bindings.h"
 #include "shared/oit_constants.h"
 #include "shared/oit_totals.h"
@@ -9,8 +11,52 @@ uvec2 fragmentKey(float reversedDepth, uint id) { return uvec2(~floatBitsToUint(
 
 bool isNearer(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-uvec2 packColor(vec4 premultiplied) {
-  return uvec2(packHalf2x16(premultiplied.rg), packHalf2x16(premultiplied.ba));
+/// Optical depth in halvings of what passes. Bounded, so that an opaque layer stays finite.
+float opticalDepth(float alpha) {
+  return min(MAX_OPTICAL_DEPTH, -log2(max(1.0 - alpha, exp2(-MAX_OPTICAL_DEPTH))));
 }
 
-vec4 unpackColor(uvec2 color) { return vec4(unpackHalf2x16(color.x), unpackHalf2x16(color.y)); }
+/// A premultiplied fragment as an addend of a tail: (tau c, tau), rounded so that sums below 1,024
+/// hold every bit and do not depend on their order.
+vec4 tailAddend(vec4 premultiplied) {
+  float alpha = clamp(premultiplied.a, 0.0, 1.0);
+  if (alpha <= 0.0) return vec4(0.0);  // an empty layer has no colour to average
+  float tau = opticalDepth(alpha);
+  return round(vec4(premultiplied.rgb / alpha, 1.0) * tau * TAIL_STEPS) / TAIL_STEPS;
+}
+
+/// One layer for all of a tail: mean colour weighted by optical depth, exact transmittance.
+vec4 tailLayer(vec4 sum) {
+  if (sum.a <= 0.0) return vec4(0.0);
+  float alpha = 1.0 - exp2(-sum.a);
+  return vec4(sum.rgb / sum.a * alpha, alpha);
+}
+
+/// Slots of a pixel: x first, y how many hold single fragments, z those of a tail behind them.
+struct PixelSlots {
+  uint first;
+  uint capacity;
+  bool tail;
+};
+
+#ifdef PACKED
+#define TAIL_SLOTS 2u  // its four sums take 16 bytes
+#else
+#define TAIL_SLOTS 1u
+#endif
+
+/// Whether a pixel of n fragments with k slots needs and can hold a tail.
+bool hasTail(uint n, uint k) {
+#if defined(TAIL_IN_SLOT) && !defined(TAIL_DYNAMIC)
+  return n > k && k >= TAIL_SLOTS;
+#else
+  return false;
+#endif
+}
+
+#ifdef RANGES
+PixelSlots slotsOf(uvec2 range) {
+  return PixelSlots(range.x, range.y & ~RANGE_TAIL, (range.y & RANGE_TAIL) != 0u);
+}
+#endif
+#endif

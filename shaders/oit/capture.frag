@@ -1,72 +1,105 @@
-// Stores transparent fragments in their pixel's range.
-// INSERTION_APPEND: in any order, sorted at the resolve. INSERTION_SORTED: the k nearest, in order.
-// SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread. SYNC_INTERLOCK,
-// SYNC_SPINLOCK: critical sections. SYNC_NONE: hazards on purpose.
+// Stores transparent fragments in their pixel's slots.
+// INSERTION_APPEND: in any order, sorted at the resolve. INSERTION_LINKED: the same, as a list.
+// INSERTION_SORTED: the nearest, in order. TAIL_IN_SLOT: the rest is summed behind them.
+// TAIL_DYNAMIC: the tail begins when the slots are full, because nobody knew how many would come.
+// INSERTION_ATOMIC: the keys stand already; colours go to theirs. TAIL_DENSE: the rest is summed by
+// blending. SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread.
+// SYNC_INTERLOCK, SYNC_SPINLOCK: critical sections. SYNC_NONE: hazards on purpose.
+// COUNT_OUT: also counts fragments by blending, for the next frame.
 #if defined(SYNC_INTERLOCK) && defined(INSERTION_SORTED)
 layout(pixel_interlock_ordered) in;
 #endif
 layout(early_fragment_tests) in;
 
 #define EXPLICIT_GRADIENTS
-#include "lib/oit.glsl"
-#include "lib/transparent.glsl"
-
-#if defined(SYNC_ORDERED) || defined(SYNC_NONE)
+#include "shared/bindings.h"
+#if defined(SYNC_ORDERED) || defined(SYNC_NONE) || defined(INSERTION_ATOMIC)
 #define SHARED_MEMORY
 #else
 #define SHARED_MEMORY coherent
 #endif
+#define STORE_ACCESS SHARED_MEMORY
+#include "lib/fragment_store.glsl"
+#include "lib/transparent.glsl"
 
+#ifdef RANGES
 layout(rg32ui, binding = IMG_0) readonly uniform uimage2D fragmentRange;
+#endif
+#ifndef INSERTION_ATOMIC
 layout(r32ui, binding = IMG_1) SHARED_MEMORY uniform uimage2D fragmentFill;
+#endif
 #ifdef FRONT_NORMAL
 layout(rgba8_snorm, binding = IMG_2) writeonly uniform image2D frontNormal;
 #endif
 #ifdef SYNC_SPINLOCK
 layout(r32ui, binding = IMG_3) coherent uniform uimage2D fragmentLock;
 #endif
-layout(std430, binding = SSBO_FRAGMENT_KEYS) SHARED_MEMORY buffer Keys { uvec2 keys[]; };
-layout(std430, binding = SSBO_FRAGMENT_COLORS) SHARED_MEMORY buffer Colors { uvec2 colors[]; };
+#ifdef INSERTION_LINKED
+layout(std430, binding = SSBO_FRAGMENT_LINKS) buffer Links { uint links[]; };
+#endif
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
+#ifdef TAIL_DENSE
+layout(location = 0) out vec4 tailOut;
+#endif
+#ifdef COUNT_OUT
+layout(location = 0) out float countOut;
+#endif
 
-#ifdef INSERTION_SORTED
-/// Insertion sort by one element; the farthest falls out where the range is full.
-/// @param fill slots in use, known not to be full of nearer fragments
-void insertSorted(ivec2 p, uvec2 range, uint fill, uvec2 key, uvec2 color) {
-  uint slot = fill;
-  if (fill == range.y) {
-    slot = fill - 1u;
-  } else {
-    imageStore(fragmentFill, p, uvec4(fill + 1u));
-  }
-  for (; slot > 0u; --slot) {
-    uvec2 other = keys[range.x + slot - 1u];
-    if (!isNearer(key, other)) break;
-    keys[range.x + slot] = other;
-    colors[range.x + slot] = colors[range.x + slot - 1u];
-  }
-  keys[range.x + slot] = key;
-  colors[range.x + slot] = color;
-#ifdef FRONT_NORMAL
-  if (slot == 0u) {
-    // The geometric normal: one of a normal map would make the importance speckle.
-    vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
-    imageStore(frontNormal, p, vec4(n * facing(materials[inIds.x]), 1.0));
-  }
+PixelSlots pixelSlots(ivec2 p) {
+#ifdef RANGES
+  return slotsOf(imageLoad(fragmentRange, p).rg);
+#else
+  return PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.oit.x, frame.oit.x, false);
 #endif
 }
 
-/// Whether the range is full of nearer fragments. Its last depth only ever comes nearer, so an
-/// answer of yes stays true, and the fragment need not be shaded; no holds only while nobody else
-/// writes.
-bool isRejected(uvec2 range, uint fill, uvec2 key) {
-  return fill == range.y && !isNearer(key, keys[range.x + range.y - 1u]);
-}
+#ifdef INSERTION_SORTED
+#include "lib/insert_sorted.glsl"
+#endif
 
-/// For critical sections: looks again at what others may have stored meanwhile.
-void insertIfNearer(ivec2 p, uvec2 range, uvec2 key, uvec2 color) {
-  uint fill = imageLoad(fragmentFill, p).r;
-  if (!isRejected(range, fill, key)) insertSorted(p, range, fill, key, color);
+#if defined(INSERTION_APPEND)
+void keep(ivec2 p, PixelSlots slots, uvec2 key) {
+  if (slots.capacity == 0u) return;
+  Fragment fragment = makeFragment(key, shadeTransparent());
+#ifdef SYNC_ORDERED
+  uint slot = imageLoad(fragmentFill, p).r;
+  imageStore(fragmentFill, p, uvec4(slot + 1u));
+#else
+  uint slot = imageAtomicAdd(fragmentFill, p, 1u);
+#endif
+  if (slot >= slots.capacity) return;  // beyond the pool: counted, the frame is flagged inexact
+  storeFragment(slots.first + slot, fragment);
+}
+#elif defined(INSERTION_LINKED)
+/// fragmentFill holds the head of the pixel's list: the number of a link plus one; 0 ends a list.
+void keep(ivec2 p, PixelSlots slots, uvec2 key) {
+  uint link = atomicAdd(totals.cursor, 1u);
+  if (link >= frame.oit.y) return;  // the pool is full: counted, the frame is flagged inexact
+  storeFragment(link, makeFragment(key, shadeTransparent()));
+#ifdef SYNC_ORDERED
+  links[link] = imageLoad(fragmentFill, p).r;
+  imageStore(fragmentFill, p, uvec4(link + 1u));
+#else
+  links[link] = imageAtomicExchange(fragmentFill, p, link + 1u);
+#endif
+}
+#elif defined(INSERTION_ATOMIC)
+void keep(ivec2 p, PixelSlots slots, uvec2 key) {
+  bool kept = !isNearer(keys[slots.first + slots.capacity - 1u], key);
+#ifndef TAIL_DENSE
+  if (!kept) return;
+#endif
+  vec4 color = shadeTransparent();
+  Fragment fragment = makeFragment(key, color);
+  for (uint i = 0u; kept && i < slots.capacity; ++i) {
+    if (keys[slots.first + i] == key) {
+      colors[slots.first + i] = fragment.color;
+      break;
+    }
+  }
+#ifdef TAIL_DENSE
+  tailOut = kept ? vec4(0.0) : tailAddend(color);
+#endif
 }
 #endif
 
@@ -75,46 +108,43 @@ void main() {
   prepareGradients();
 #endif
   ivec2 p = ivec2(gl_FragCoord.xy);
-  uvec2 range = imageLoad(fragmentRange, p).rg;
+  PixelSlots slots = pixelSlots(p);
   uvec2 key = fragmentKey(gl_FragCoord.z, fragmentId());
+#ifdef COUNT_OUT
+  countOut = 1.0;
+#endif
+#ifndef INSERTION_SORTED
+  keep(p, slots, key);
+#else
   // No early return: the interlock must begin outside of all branches.
-  bool wanted = range.y > 0u;
-#ifdef INSERTION_SORTED
   uint fill = 0u;
+  bool wanted = slots.capacity > 0u || slots.tail;
+#ifndef TAIL_IN_SLOT
   if (wanted) {
     fill = imageLoad(fragmentFill, p).r;
-    wanted = !isRejected(range, fill, key);
+    wanted = !isRejected(slots, fill, key);
   }
 #endif
-  uvec2 color = uvec2(0u);
-  if (wanted) color = packColor(shadeTransparent());
-
-#if !defined(INSERTION_SORTED)
-  if (!wanted) return;
-#ifdef SYNC_ORDERED
-  uint slot = imageLoad(fragmentFill, p).r;
-  imageStore(fragmentFill, p, uvec4(slot + 1u));
-#else
-  uint slot = imageAtomicAdd(fragmentFill, p, 1u);
-#endif
-  if (slot >= range.y) return;  // beyond the pool: counted, the frame is flagged inexact
-  keys[range.x + slot] = key;
-  colors[range.x + slot] = color;
-#elif defined(SYNC_INTERLOCK)
+  Fragment fragment;
+  if (wanted) fragment = makeFragment(key, shadeTransparent());
+#if defined(SYNC_INTERLOCK)
   beginInvocationInterlockARB();
-  if (wanted) insertIfNearer(p, range, key, color);
+  if (wanted) insertIfNearer(p, slots, fragment);
   endInvocationInterlockARB();
 #elif defined(SYNC_SPINLOCK)
   bool done = !wanted || gl_HelperInvocation;  // helpers write nothing and must not wait
   for (int i = 0; i < LOCK_BOUND && !done; ++i) {
     if (imageAtomicExchange(fragmentLock, p, 1u) != 0u) continue;
-    insertIfNearer(p, range, key, color);
+    insertIfNearer(p, slots, fragment);
     memoryBarrier();
     imageAtomicExchange(fragmentLock, p, 0u);
     done = true;
   }
   if (!done) atomicAdd(totals.lockFailures, 1u);
+#elif defined(TAIL_IN_SLOT)
+  if (wanted) insertIfNearer(p, slots, fragment);
 #else
-  if (wanted) insertSorted(p, range, fill, key, color);
+  if (wanted) insertSorted(p, slots, fill, fragment);
+#endif
 #endif
 }

@@ -28,7 +28,6 @@ void main() {
   int end = min(first.x + STRIP, int(frame.size.x));
   uint sum = 0u;
   uint covered = 0u;
-  uint generated = 0u;
   uint countMax = 0u;
   for (ivec2 p = first; p.x < end; ++p.x) {
     float count = texelFetch(fragmentCount, p, 0).r;
@@ -46,7 +45,6 @@ void main() {
       value = uint(total * float(IMPORTANCE_ONE) + 0.5);
       sum += value;
       ++covered;
-      generated += uint(count);
       countMax = max(countMax, uint(count));
 #ifdef FACTORS
       imageStore(factors, p, vec4(periphery, depthFactor, fresnel, total));
@@ -63,6 +61,5 @@ void main() {
   uint old = atomicAdd(totals.importanceLow, sum);
   if (old + sum < old) atomicAdd(totals.importanceHigh, 1u);
   atomicAdd(totals.covered, covered);
-  atomicAdd(totals.generated, generated);
   atomicMax(totals.countMax, countMax);
 }

@@ -10,9 +10,9 @@ layout(local_size_x = STRIP_GROUP) in;
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(r32ui, binding = IMG_0) readonly uniform uimage2D importance;
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
-layout(location = 0) uniform uint slots;
 
 void main() {
+  uint slots = frame.oit.y;
   if (slots < totals.covered) return;  // not one layer each: oit/allocate.comp chooses
   double total = double(totals.importanceHigh) * 4294967296.0lf + double(totals.importanceLow);
   uint least = slots - totals.covered;

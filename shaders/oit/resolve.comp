@@ -1,105 +1,128 @@
 // Composites the stored fragments of each pixel over the opaque image, nearest first.
-// SORTED: the ranges are in order. Otherwise they are sorted here by (depth, id).
+// INSERTION_SORTED, INSERTION_ATOMIC: they are in order. INSERTION_APPEND: they are sorted here by
+// (depth, id). INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they stand in the
+// samples of a pixel. TAIL_IN_SLOT, TAIL_DENSE: a layer for what was left out comes behind them.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
-#include "lib/oit.glsl"
-
-layout(binding = TEX_INPUT0) uniform usampler2D fragmentRange;
-layout(binding = TEX_INPUT1) uniform usampler2D fragmentFill;
-layout(rgba16f, binding = IMG_0) uniform image2D hdrColor;
-#ifdef SORTED
-#define SORTED_IN_PLACE readonly
+#if defined(INSERTION_APPEND)
+#define STORE_ACCESS
 #else
-#define SORTED_IN_PLACE
+#define STORE_ACCESS readonly
+#define STORE_READONLY
 #endif
-layout(std430, binding = SSBO_FRAGMENT_KEYS) SORTED_IN_PLACE buffer Keys { uvec2 keys[]; };
-layout(std430, binding = SSBO_FRAGMENT_COLORS) SORTED_IN_PLACE buffer Colors { uvec2 colors[]; };
+#include "lib/oit.glsl"
+#ifndef INSERTION_ROUTED
+#include "lib/fragment_store.glsl"
+#endif
+
+#ifdef RANGES
+layout(binding = TEX_INPUT0) uniform usampler2D fragmentRange;
+#endif
+#if !defined(INSERTION_ATOMIC) && !defined(INSERTION_ROUTED)
+layout(binding = TEX_INPUT1) uniform usampler2D fragmentFill;
+#endif
+#ifdef TAIL_DENSE
+layout(binding = TEX_INPUT2) uniform sampler2D tailSums;
+#endif
+#ifdef INSERTION_ROUTED
+layout(binding = TEX_INPUT3) uniform usampler2DMS routedKeys;
+layout(binding = TEX_INPUT4) uniform sampler2DMS routedColors;
+#endif
+layout(rgba16f, binding = IMG_0) uniform image2D hdrColor;
+#ifdef INSERTION_LINKED
+layout(std430, binding = SSBO_FRAGMENT_LINKS) buffer Links { uint links[]; };
+#endif
 
 struct Composite {
   vec3 color;
   float transmittance;
 };
 
-/// Front-to-back "over" (Porter and Duff 1984) of one premultiplied fragment.
-void compositeUnder(inout Composite c, uint slot) {
-  vec4 fragment = unpackColor(colors[slot]);
-  c.color += c.transmittance * fragment.rgb;
-  c.transmittance *= 1.0 - fragment.a;
+/// Front-to-back "over" (Porter and Duff 1984) of one premultiplied layer.
+void compositeLayer(inout Composite c, vec4 layer) {
+  c.color += c.transmittance * layer.rgb;
+  c.transmittance *= 1.0 - layer.a;
 }
 
-#ifndef SORTED
-/// Insertion sort of (key, slot) in a local array of SIZE entries. A small array for most pixels:
-/// the size of local arrays bounds how many threads a GPU keeps in flight (Lefebvre et al. 2014).
-#define DEFINE_SORT(NAME, SIZE)                                        \
-  void NAME(inout Composite c, uint begin, uint n) {                   \
-    uvec2 sortedKeys[SIZE];                                            \
-    uint slots[SIZE];                                                  \
-    for (uint i = 0u; i < n; ++i) {                                    \
-      uvec2 key = keys[begin + i];                                     \
-      uint j = i;                                                      \
-      for (; j > 0u && isNearer(key, sortedKeys[j - 1u]); --j) {       \
-        sortedKeys[j] = sortedKeys[j - 1u];                            \
-        slots[j] = slots[j - 1u];                                      \
-      }                                                                \
-      sortedKeys[j] = key;                                             \
-      slots[j] = begin + i;                                            \
-    }                                                                  \
-    for (uint i = 0u; i < n; ++i) compositeUnder(c, slots[i]);         \
-  }
-DEFINE_SORT(compositeSmall, SORT_SMALL)
-DEFINE_SORT(compositeLarge, SORT_LARGE)
+#ifndef INSERTION_ROUTED
+void compositeUnder(inout Composite c, uint slot) { compositeLayer(c, colorOf(loadFragment(slot))); }
+#endif
 
-void swapSlots(uint a, uint b) {
-  uvec2 key = keys[a];
-  uvec2 color = colors[a];
-  keys[a] = keys[b];
-  colors[a] = colors[b];
-  keys[b] = key;
-  colors[b] = color;
-}
-
-/// Restores the heap of n slots (the farthest on top) below `node`.
-void siftDown(uint begin, uint node, uint n) {
-  for (uint child = 2u * node + 1u; child < n; child = 2u * node + 1u) {
-    if (child + 1u < n && isNearer(keys[begin + child], keys[begin + child + 1u])) ++child;
-    if (!isNearer(keys[begin + node], keys[begin + child])) return;
-    swapSlots(begin + node, begin + child);
-    node = child;
+#if defined(INSERTION_APPEND)
+#include "lib/sort_append.glsl"
+void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
+  uint n = min(texelFetch(fragmentFill, p, 0).r, slots.capacity);
+  if (n <= SORT_SMALL) {
+    compositeSmall(c, slots.first, n);
+  } else if (n <= SORT_LARGE) {
+    compositeLarge(c, slots.first, n);
+  } else {
+    compositeDeep(c, slots.first, n);
   }
 }
-
-/// Heap sort in place (Williams 1964): no array, and n log n steps, because a software rasteriser
-/// ends a shader's loops after 65,535 of them.
-void compositeDeep(inout Composite c, uint begin, uint n) {
-  for (uint node = n / 2u; node > 0u; --node) siftDown(begin, node - 1u, n);
-  for (uint last = n - 1u; last > 0u; --last) {
-    swapSlots(begin, begin + last);
-    siftDown(begin, 0u, last);
+#elif defined(INSERTION_LINKED)
+#include "lib/sort_links.glsl"
+void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
+  for (uint link = sortedLinks(texelFetch(fragmentFill, p, 0).r); link != 0u; link = links[link - 1u]) {
+    compositeUnder(c, link - 1u);
   }
-  for (uint i = 0u; i < n; ++i) compositeUnder(c, begin + i);
+}
+#elif defined(INSERTION_ATOMIC)
+void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
+  for (uint i = 0u; i < slots.capacity && keys[slots.first + i].x != NO_KEY; ++i) {
+    compositeUnder(c, slots.first + i);
+  }
+#ifdef TAIL_DENSE
+  compositeLayer(c, tailLayer(texelFetch(tailSums, p, 0)));
+#endif
+}
+#elif defined(INSERTION_ROUTED)
+void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
+  uvec2 last = uvec2(0u);
+  // As many rounds as slots, each taking the nearest behind the last: few slots, no array.
+  for (uint round = 0u; round < slots.capacity; ++round) {
+    uvec2 nearest = uvec2(NO_KEY);
+    int at = -1;
+    for (int i = 0; i < int(slots.capacity); ++i) {
+      uvec2 key = texelFetch(routedKeys, p, i).rg;
+      if (key.x != NO_KEY && isNearer(key, nearest) && (round == 0u || isNearer(last, key))) {
+        nearest = key;
+        at = i;
+      }
+    }
+    if (at < 0) return;
+    compositeLayer(c, texelFetch(routedColors, p, at));
+    last = nearest;
+  }
+}
+#else
+void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
+  uint n = texelFetch(fragmentFill, p, 0).r;
+#ifdef TAIL_DYNAMIC
+  slots.tail = (n & RANGE_TAIL) != 0u;
+  n &= ~RANGE_TAIL;
+#endif
+  for (uint i = 0u; i < n; ++i) compositeUnder(c, slots.first + i);
+#ifdef TAIL_IN_SLOT
+  if (slots.tail) compositeLayer(c, tailLayer(loadTail(slots.first + n)));
+#endif
 }
 #endif
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
-  uvec2 range = texelFetch(fragmentRange, p, 0).rg;
-  if (range.y == 0u) return;
-  uint n = min(texelFetch(fragmentFill, p, 0).r, range.y);
-  Composite c = Composite(vec3(0.0), 1.0);
-#ifdef SORTED
-  for (uint i = 0u; i < n; ++i) compositeUnder(c, range.x + i);
+#ifdef RANGES
+  PixelSlots slots = slotsOf(texelFetch(fragmentRange, p, 0).rg);
+  if (slots.capacity == 0u && !slots.tail) return;
 #else
-  if (n <= SORT_SMALL) {
-    compositeSmall(c, range.x, n);
-  } else if (n <= SORT_LARGE) {
-    compositeLarge(c, range.x, n);
-  } else {
-    compositeDeep(c, range.x, n);
-  }
+  PixelSlots slots = PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.oit.x, frame.oit.x, false);
 #endif
+  Composite c = Composite(vec3(0.0), 1.0);
+  compositeStored(c, p, slots);
+  if (c.transmittance == 1.0 && c.color == vec3(0.0)) return;
   vec3 behind = imageLoad(hdrColor, p).rgb;
   imageStore(hdrColor, p, vec4(c.color + c.transmittance * behind, 1.0));
 }

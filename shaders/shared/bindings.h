@@ -12,6 +12,11 @@
 #define SSBO_FRAGMENT_KEYS 2
 #define SSBO_FRAGMENT_COLORS 3
 #define SSBO_OIT_TOTALS 4
+#define SSBO_FRAGMENT_LINKS 5
+#define SSBO_SLICES 6
+#define SSBO_STRIP_SUMS 7
+#define SSBO_OCCUPANCY 8
+#define SSBO_OIT_STATISTICS 9
 
 // Textures of a material (one draw run each)
 #define TEX_BASE_COLOR 0

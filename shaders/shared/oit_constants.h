@@ -25,4 +25,17 @@
 // Slots of one pixel; more would only be unused.
 #define MAX_PIXEL_LAYERS 65535u
 
+// The depth key of an empty slot: no depth has it.
+#define NO_KEY 0xFFFFFFFFu
+
+// Set in a pixel's number of slots where a tail stands behind them.
+#define RANGE_TAIL 0x80000000u
+
+// Optical depth of a layer at the most, in halvings: 1 / 65,536 passes, less than a half float of
+// radiance resolves.
+#define MAX_OPTICAL_DEPTH 16.0
+
+// Steps of a tail's sums in one unit. With 2^14, floats hold sums below 2^10 exactly.
+#define TAIL_STEPS 16384.0
+
 #endif

@@ -2,6 +2,16 @@
 #ifndef MACULA_SHARED_OIT_TOTALS_H
 #define MACULA_SHARED_OIT_TOTALS_H
 #include "shared/cpp_glsl.h"
+
+// The search for the price of a slot: rounds, and candidates (two vectors) in each.
+#define PRICE_ROUNDS 3
+#define PRICE_VECTORS 2
+#define PRICE_CANDIDATES 8
+#define PRICE_VECTORS_IN_ALL 6
+
+// Bins of the histogram of counts; a deeper pixel counts as this deep.
+#define COUNT_BINS 1024
+
 MACULA_SHARED_BEGIN
 
 struct OitTotals {
@@ -9,18 +19,24 @@ struct OitTotals {
   uint importanceHigh;
   uint covered;         // pixels with a transparent fragment
   uint starved;         // of these, those whose share of the budget rounds to no layer
-  uint generated;       // fragments counted
-  uint stored;          // sum of min(n, k)
-  uint cursor;          // sum of k: slots handed out; exact methods may ask for more than exist
-  uint kMax;            // over covered pixels
-  uint kMinInverted;    // 0xFFFFFFFF - least k over covered pixels, so that 0 is the start
+  uint cursor;          // slots handed out; exact methods may ask for more than exist
   uint countMax;        // largest n of this frame
   uint lockFailures;    // fragments given up at the bound of a spin lock
-  uint padding0;
-  uint padding1;
-  uint padding2;
-  uint padding3;
-  uint padding4;
+  uint oneLayer;        // k of kb-plus
+  uvec4 levels;         // slots asked for: least for each, at a high price, at a low one, all
+  uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
+};
+
+/// What a frame did, summed after it for the report; no pass reads it.
+struct OitStatistics {
+  uint generated;     // fragments that pass opaque depth
+  uint stored;        // kept one by one
+  uint merged;        // in a tail
+  uint slots;         // of all covered pixels
+  uint covered;       // pixels with a transparent fragment
+  uint countMax;      // largest n
+  uint kMax;          // over covered pixels
+  uint kMinInverted;  // 0xFFFFFFFF - least k over covered pixels, so that 0 is the start
 };
 
 MACULA_SHARED_END

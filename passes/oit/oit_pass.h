@@ -1,0 +1,54 @@
+// What the passes of transparency share: the plan, and that they work where something is
+// transparent and the plan wants them.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "engine/frame/pass.h"
+#include "engine/frame/pass_context.h"
+#include "passes/oit/plan.h"
+#include "shared/dispatch.h"
+#include "shared/oit_constants.h"
+
+namespace macula::passes {
+
+/// Threads of a group of the full-screen passes.
+inline constexpr glm::ivec2 kFullScreenGroup{FULLSCREEN_GROUP};
+
+/// A pass that some methods use and others do not.
+class OitPass : public frame::Pass {
+ public:
+  explicit OitPass(const OitPlan& plan) : plan_(plan) {}
+  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const final {
+    return in.facts.transparentTriangles > 0 && wanted();
+  }
+  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const final {
+    if (in.facts.transparentTriangles == 0) return "nothing transparent";
+    if (!wanted()) return fmt::format("{} does not use it", plan_.method->id);
+    return fmt::format("{} transparent triangles by {}", in.facts.transparentTriangles,
+                       plan_.method->id);
+  }
+  void declare(frame::PassDeclaration& d) const final {
+    if (wanted()) declareWork(d);
+  }
+
+ protected:
+  /// Whether the plan's method uses this pass.
+  [[nodiscard]] virtual bool wanted() const = 0;
+  /// What it touches where it is wanted.
+  virtual void declareWork(frame::PassDeclaration& d) const = 0;
+
+  const OitPlan& plan_;
+};
+
+/// Threads for all strips of a frame and the shape of their groups: a row of groups per row of
+/// pixels.
+inline void dispatchStrips(const frame::PassContext& context) {
+  const glm::ivec2 size = context.inputs().displaySize;
+  const glm::ivec2 threads((size.x + STRIP - 1) / STRIP, size.y);
+  context.dispatch(threads, {STRIP_GROUP, 1});
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,22 @@
+// Finds the one k of kb-plus from the histogram of counts (Vasilakis and Fudos 2014).
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+
+namespace macula::passes {
+
+class OneKPass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.oneK"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
+  GLuint program_ = 0;
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,27 @@
+// Stencil-routed k-buffer (Bavoil and Myers 2008): the first k fragments drawn go to the samples of a
+// multisample target.
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+#include "passes/oit/stencil_routing.h"
+#include "passes/scene_draw.h"
+
+namespace macula::passes {
+
+class RoutedPass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.route"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
+  SceneVariants variants_;
+  RoutingMode mode_ = RoutingMode::None;
+  gl::ProgramCache* programs_ = nullptr;
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,63 @@
+// Settings of transparency, as a user means them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace macula::passes {
+
+/// What becomes of fragments that a k-buffer does not keep.
+enum class Tail : std::uint8_t {
+  None,  ///< nothing: they are lost
+  Mean,  ///< one layer behind the kept ones: mean colour by optical depth, exact transmittance
+};
+
+/// What says how many layers a pixel of kb-variable needs.
+enum class Predictor : std::uint8_t {
+  Published,      ///< the importance map of Vasilakis 2017, Eq. 3-6
+  Transmittance,  ///< layers until what is left weighs less than a threshold for the whole image
+  Error,          ///< the layers that lower the predicted error of the image most
+};
+
+enum class Cull : std::uint8_t {
+  None,
+  Occupancy,  ///< early depth rejection behind the k-th occupied interval (Vasilakis 2015)
+};
+
+/// Where the number of fragments of a pixel comes from.
+enum class CountSource : std::uint8_t {
+  Drawn,      ///< a geometry pass before the capture
+  Predicted,  ///< the last frame's capture, reprojected; the first frame and cuts draw
+};
+
+struct OitSettings {
+  std::string method = "kb-variable";
+  double kAve = 4.0;       ///< slots per sample on average, > 0
+  double memoryMiB = 0.0;  ///< 0: by kAve
+  std::string sync = "auto";
+  int layers = 8;  ///< slots of ab-array, passes of peel
+  bool fill = false;
+  Tail tail = Tail::None;
+  Predictor importance = Predictor::Published;
+  Cull cull = Cull::None;
+  int cullWords = 32;      ///< d of Vasilakis 2015: 32 d intervals a pixel
+  int fragmentBytes = 16;  ///< of a stored fragment of a sorted k-buffer: 16 or 8
+  CountSource count = CountSource::Drawn;
+};
+
+/// Settings of the importance map (Vasilakis 2017, Eq. 3-6) and of the predictors.
+struct ImportanceSettings {
+  double rangeBias = 0.35;     ///< alpha of Eq. 3
+  double periphery = 3.0;      ///< d of Eq. 4
+  double noise = 0.1;          ///< lambda of Eq. 6
+  double layerLimit = 0.0;     ///< N_limit of Eq. 3; 0: the largest count seen so far
+  bool noisePerFrame = false;  ///< a new xi every frame
+  int slices = 8;              ///< depth slices a predictor sums
+  int tile = 1;                ///< samples a side that share their slices
+  double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
+};
+
+/// @throws InputError where options are combined that make no sense together, saying why
+void checkCombination(const OitSettings& settings);
+
+}  // namespace macula::passes

@@ -1,0 +1,66 @@
+#include "passes/oit/statistics.h"
+
+#include "engine/gl/render_state.h"
+#include "passes/oit/oit_pass.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+
+void OitStatisticsCounter::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
+  const Method& method = *plan_.method;
+  gl::Defines defines;
+  if (method.hasRanges()) defines.emplace_back("SLOTS_RANGES", "1");
+  if (method.fills()) defines.emplace_back("FILLS", "1");
+  program_ = programs.get({{"oit/statistics.comp"}, defines, {}});
+  if (!sums_) sums_ = gl::Buffer("transparency statistics", sizeof(shader::OitStatistics));
+  if (method.counts() && !plan_.predictsCounts()) {
+    counts_ = {};
+    return;
+  }
+  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {},
+                    programs);
+  if (counts_.width() != in.displaySize.x || counts_.height() != in.displaySize.y) {
+    counts_ = {};
+    counts_ = gl::Texture("statistics counts", GL_R32F, in.displaySize.x, in.displaySize.y);
+  }
+}
+
+void OitStatisticsCounter::drawCounts(frame::PassContext& context) {
+  const scene::GpuScene& gpu = *context.inputs().gpu;
+  GLuint id = 0;
+  glCreateFramebuffers(1, &id);
+  const gl::FramebufferId framebuffer(id);
+  glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, counts_.id(), 0);
+  glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT,
+                            context.resources().texture(Resource::Depth).id(), 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  glViewport(0, 0, counts_.width(), counts_.height());
+  gl::apply({.depthTest = true, .blend = gl::Blend::Add});
+  constexpr GLfloat kNone[4]{};
+  glClearBufferfv(GL_COLOR, 0, kNone);
+  variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
+}
+
+shader::OitStatistics OitStatisticsCounter::measure(frame::PassContext& context) {
+  if (counts_) drawCounts(context);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  glClearNamedBufferData(sums_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  glUseProgram(program_);
+  glUniform1ui(0, plan_.hasTail() ? plan_.tailSlots() : 0U);
+  if (counts_) {
+    glBindTextureUnit(TEX_INPUT0, counts_.id());
+  } else {
+    context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  }
+  if (plan_.method->hasRanges()) context.bindTexture(TEX_INPUT1, Resource::FragmentRange);
+  if (plan_.method->fills()) context.bindTexture(TEX_INPUT2, Resource::FragmentFill);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_OIT_STATISTICS, sums_.id());
+  dispatchStrips(context);
+  shader::OitStatistics result{};
+  sums_.download(&result, sizeof(result));
+  return result;
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,23 @@
+// Weighted blended transparency (McGuire and Bavoil 2013): weighted sums by blending.
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+#include "passes/scene_draw.h"
+
+namespace macula::passes {
+
+class WeightedPass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.accumulate"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
+  SceneVariants variants_;
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,22 @@
+// The weighted sums over the opaque image.
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+
+namespace macula::passes {
+
+class WeightedResolvePass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.composite"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
+  GLuint program_ = 0;
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,49 @@
+// Sorting of fragments that were stored in any order, and their composition. For oit/resolve.comp.
+
+/// Insertion sort of (key, slot) in a local array of SIZE entries. A small array for most pixels:
+/// the size of local arrays bounds how many threads a GPU keeps in flight (Lefebvre et al. 2014).
+#define DEFINE_SORT(NAME, SIZE)                                        \
+  void NAME(inout Composite c, uint begin, uint n) {                   \
+    uvec2 sortedKeys[SIZE];                                            \
+    uint slots[SIZE];                                                  \
+    for (uint i = 0u; i < n; ++i) {                                    \
+      uvec2 key = keys[begin + i];                                     \
+      uint j = i;                                                      \
+      for (; j > 0u && isNearer(key, sortedKeys[j - 1u]); --j) {       \
+        sortedKeys[j] = sortedKeys[j - 1u];                            \
+        slots[j] = slots[j - 1u];                                      \
+      }                                                                \
+      sortedKeys[j] = key;                                             \
+      slots[j] = begin + i;                                            \
+    }                                                                  \
+    for (uint i = 0u; i < n; ++i) compositeUnder(c, slots[i]);         \
+  }
+DEFINE_SORT(compositeSmall, SORT_SMALL)
+DEFINE_SORT(compositeLarge, SORT_LARGE)
+
+void swapSlots(uint a, uint b) {
+  Fragment other = loadFragment(a);
+  storeFragment(a, loadFragment(b));
+  storeFragment(b, other);
+}
+
+/// Restores the heap of n slots (the farthest on top) below `node`.
+void siftDown(uint begin, uint node, uint n) {
+  for (uint child = 2u * node + 1u; child < n; child = 2u * node + 1u) {
+    if (child + 1u < n && isNearer(keys[begin + child], keys[begin + child + 1u])) ++child;
+    if (!isNearer(keys[begin + node], keys[begin + child])) return;
+    swapSlots(begin + node, begin + child);
+    node = child;
+  }
+}
+
+/// Heap sort in place (Williams 1964): no array, and n log n steps, because a software rasteriser
+/// ends a shader's loops after 65,535 of them.
+void compositeDeep(inout Composite c, uint begin, uint n) {
+  for (uint node = n / 2u; node > 0u; --node) siftDown(begin, node - 1u, n);
+  for (uint last = n - 1u; last > 0u; --last) {
+    swapSlots(begin, begin + last);
+    siftDown(begin, 0u, last);
+  }
+  for (uint i = 0u; i < n; ++i) compositeUnder(c, begin + i);
+}

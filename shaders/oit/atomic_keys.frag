@@ -1,0 +1,31 @@
+// The k least keys of each pixel by cascades of atomic minima (Maule et al. 2013, section 4): what a
+// slot gives up goes on to the next. First the depths; STAGE_IDS: then, among the slots of a
+// fragment's depth, the ids, so that equal depths keep a slot each and the lowest ids.
+layout(early_fragment_tests) in;
+
+#include "lib/frame.glsl"
+#define STORE_ACCESS coherent
+#include "lib/fragment_store.glsl"
+
+layout(location = 2) flat in uvec3 inIds;
+
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  uint k = frame.oit.x;
+  uint first = uint(p.y * int(frame.size.x) + p.x) * k;
+  uint depth = fragmentKey(gl_FragCoord.z, 0u).x;
+#ifndef STAGE_IDS
+  // The last slot only ever comes nearer: what lies behind it now will not be kept.
+  if (depth >= keys[first + k - 1u].x) return;
+  uint value = depth;
+  for (uint i = 0u; i < k && value != NO_KEY; ++i) {
+    value = max(value, atomicMin(keys[first + i].x, value));
+  }
+#else
+  if (depth > keys[first + k - 1u].x) return;
+  uint value = inIds.y + inIds.z * uint(gl_PrimitiveID);
+  for (uint i = 0u; i < k && value != NO_KEY; ++i) {
+    if (keys[first + i].x == depth) value = max(value, atomicMin(keys[first + i].y, value));
+  }
+#endif
+}

@@ -1,0 +1,32 @@
+// Adds the peeled layer behind those before it. FINISH: puts all of them over the opaque image.
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+
+#include "lib/frame.glsl"
+#include "lib/oit.glsl"
+
+layout(rgba32f, binding = IMG_2) uniform image2D sum;  // colour, transmittance
+#ifdef FINISH
+layout(rgba16f, binding = IMG_3) uniform image2D hdrColor;
+#else
+layout(binding = TEX_INPUT1) uniform sampler2D layerDepth;
+layout(binding = TEX_INPUT2) uniform sampler2D layerColor;
+layout(rg32ui, binding = IMG_0) writeonly uniform uimage2D lastKey;
+layout(r32ui, binding = IMG_1) readonly uniform uimage2D ids;
+#endif
+
+void main() {
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
+  vec4 s = imageLoad(sum, p);
+#ifdef FINISH
+  vec3 behind = imageLoad(hdrColor, p).rgb;
+  if (s != vec4(0.0, 0.0, 0.0, 1.0)) imageStore(hdrColor, p, vec4(s.rgb + s.a * behind, 1.0));
+#else
+  uint id = imageLoad(ids, p).r;
+  if (id == NO_KEY) return;
+  vec4 layer = texelFetch(layerColor, p, 0);
+  imageStore(sum, p, vec4(s.rgb + s.a * layer.rgb, s.a * (1.0 - layer.a)));
+  imageStore(lastKey, p, uvec4(fragmentKey(texelFetch(layerDepth, p, 0).r, id), 0u, 0u));
+#endif
+}
