@@ -9,17 +9,23 @@
 #include "passes/oit/blend_pass.h"
 #include "passes/oit/capture_pass.h"
 #include "passes/oit/count_pass.h"
+#include "passes/oit/demand_pass.h"
 #include "passes/oit/histogram_pass.h"
 #include "passes/oit/importance_pass.h"
 #include "passes/oit/one_k_pass.h"
 #include "passes/oit/peel_pass.h"
+#include "passes/oit/prefix_pass.h"
+#include "passes/oit/price_pass.h"
 #include "passes/oit/reserve_pass.h"
 #include "passes/oit/resolve_pass.h"
 #include "passes/oit/routed_pass.h"
+#include "passes/oit/share_pass.h"
+#include "passes/oit/slices_pass.h"
 #include "passes/oit/weighted_pass.h"
 #include "passes/oit/weighted_resolve_pass.h"
 #include "passes/shadow_pass.h"
 #include "passes/tonemap_pass.h"
+#include "shared/oit_totals.h"
 
 namespace macula::passes {
 
@@ -42,6 +48,14 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<HistogramPass>(plan));
   passes.push_back(std::make_unique<OneKPass>(plan));
   passes.push_back(std::make_unique<AllocatePass>(plan));
+  passes.push_back(std::make_unique<SlicesPass>(plan));
+  for (int round = 0; round < PRICE_ROUNDS; ++round) {
+    passes.push_back(std::make_unique<PricePass>(plan, round));
+  }
+  passes.push_back(std::make_unique<DemandPass>(plan));
+  passes.push_back(std::make_unique<PrefixPass>(plan, false));
+  passes.push_back(std::make_unique<PrefixPass>(plan, true));
+  passes.push_back(std::make_unique<SharePass>(plan));
   passes.push_back(std::make_unique<AtomicKeysPass>(plan));
   passes.push_back(std::make_unique<RoutedPass>(plan));
   passes.push_back(std::make_unique<CapturePass>(plan));

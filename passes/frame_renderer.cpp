@@ -7,6 +7,7 @@
 #include "engine/scene/camera_path.h"
 #include "engine/scene/view.h"
 #include "passes/frame_list.h"
+#include "passes/oit/oit_pass.h"
 #include "shared/bindings.h"
 #include "shared/frame_constants.h"
 
@@ -158,6 +159,20 @@ void FrameRenderer::prepare() {
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
   planMethod(samples);
   resources_.setBufferBytes(Resource::OitTotals, sizeof(shader::OitTotals));
+  const glm::ivec2 size = inputs_.displaySize;
+  const glm::ivec2 tiles = (size + plan_.importance.tile - 1) / plan_.importance.tile;
+  const auto area = [](glm::ivec2 s) {
+    return static_cast<std::size_t>(s.x) * static_cast<std::size_t>(s.y);
+  };
+  constexpr std::size_t kVectorBytes = 16;
+  resources_.setFixedSize(Resource::TileDepth, tiles);
+  resources_.setBufferBytes(
+      Resource::SliceSums,
+      area(tiles) * static_cast<std::size_t>(plan_.importance.slices) * kVectorBytes);
+  resources_.setBufferBytes(
+      Resource::StripSums,
+      (area({(size.x + STRIP - 1) / STRIP, size.y}) + static_cast<std::size_t>(size.y)) *
+          kVectorBytes);
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
@@ -177,7 +192,9 @@ void FrameRenderer::uploadConstants() {
   c.gaze = glm::vec4(inputs_.gaze.x * size.x, (1.0F - inputs_.gaze.y) * size.y, 0.0F, 0.0F);
   c.background = glm::vec4(settings_.background, 1.0F);
   c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
-  c.oit = glm::uvec4(plan_.layers, plan_.slots, 0U, 0U);
+  c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize), 0U);
+  const glm::vec2 range = inputs_.gpu->transparentDistances(inputs_.view.camera);
+  c.slices = glm::vec4(range, plan_.importance.slices, plan_.importance.tile);
   c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
   constants_.upload(&c, sizeof(c));
   glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_.id());

@@ -80,6 +80,14 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
 
 }  // namespace
 
+RenderSettings referenceOf(const RenderSettings& settings) {
+  RenderSettings reference = settings;
+  reference.oit = {};
+  reference.oit.method = "ab-sbuffer";
+  reference.heatmap.map = "none";
+  return reference;
+}
+
 void registerSettings(settings::Registry& registry, RenderSettings& s) {
   registerOit(registry, s.oit);
   registerImportance(registry, s.importance);

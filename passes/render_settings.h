@@ -25,6 +25,9 @@ struct RenderSettings {
   std::uint32_t seed = 1;             ///< of noise and procedural scenes
 };
 
+/// The same view by the exact method, without what belongs to others: what errors are against.
+[[nodiscard]] RenderSettings referenceOf(const RenderSettings& settings);
+
 /// Registers all of them; `settings` must outlive the registry.
 void registerSettings(settings::Registry& registry, RenderSettings& settings);
 

@@ -27,7 +27,9 @@ gl::Buffer bufferOf(std::string_view label, const std::vector<T>& values) {
 }  // namespace
 
 GpuScene::GpuScene(const Scene& scene, const Environment* environment, DrawOrder order)
-    : facts_(factsOf(scene, environment != nullptr)), bounds_(boundsOf(scene)) {
+    : facts_(factsOf(scene, environment != nullptr)),
+      bounds_(boundsOf(scene)),
+      transparentBounds_(transparentBoundsOf(scene)) {
   uploadGeometry(scene, order);
   uploadTextures(scene);
   uploadMaterials(scene);

@@ -49,6 +49,10 @@ class GpuScene {
   [[nodiscard]] const DrawList& opaque() const { return opaque_; }
   [[nodiscard]] const DrawList& transparent() const { return transparent_; }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  /// Least and greatest distance from a camera to what is transparent.
+  [[nodiscard]] glm::vec2 transparentDistances(const Camera& camera) const {
+    return distancesTo(transparentBounds_, camera);
+  }
   /// World to shadow-map clip space of the shadow-casting light; identity where there is none.
   [[nodiscard]] const glm::mat4& shadowViewProjection() const { return shadowViewProjection_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
@@ -76,6 +80,7 @@ class GpuScene {
 
   SceneFacts facts_;
   Bounds bounds_;
+  Bounds transparentBounds_;
   glm::mat4 shadowViewProjection_{1.0F};
   gl::VertexArrayId vertexArray_;
   gl::Buffer positions_;

@@ -16,6 +16,27 @@ bool hasLitMaterial(const Scene& scene) {
                      [&](const Primitive& p) { return !scene.materialOf(p).unlit; });
 }
 
+glm::vec3 cornerOf(const Bounds& box, unsigned corner) {
+  return {(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
+          (corner & 4U) != 0 ? box.max.z : box.min.z};
+}
+
+template <typename Wanted>
+Bounds boundsWhere(const Scene& scene, Wanted wanted) {
+  Bounds bounds;
+  for (const Instance& instance : scene.instances) {
+    if (!wanted(scene.primitives[instance.primitive])) continue;
+    // Through the corners of the primitive's own box: exact enough to frame it, and fast.
+    Bounds local;
+    for (const glm::vec3& p : scene.primitives[instance.primitive].positions) local.add(p);
+    if (local.empty()) continue;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      bounds.add(glm::vec3(instance.transform * glm::vec4(cornerOf(local, corner), 1.0F)));
+    }
+  }
+  return bounds;
+}
+
 }  // namespace
 
 const Material& Scene::materialOf(const Primitive& primitive) const {
@@ -25,20 +46,22 @@ const Material& Scene::materialOf(const Primitive& primitive) const {
 }
 
 Bounds boundsOf(const Scene& scene) {
-  Bounds bounds;
-  for (const Instance& instance : scene.instances) {
-    // Through the corners of the primitive's own box: exact enough to frame it, and fast.
-    Bounds local;
-    for (const glm::vec3& p : scene.primitives[instance.primitive].positions) local.add(p);
-    if (local.empty()) continue;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const glm::vec3 p{(corner & 1U) != 0 ? local.max.x : local.min.x,
-                        (corner & 2U) != 0 ? local.max.y : local.min.y,
-                        (corner & 4U) != 0 ? local.max.z : local.min.z};
-      bounds.add(glm::vec3(instance.transform * glm::vec4(p, 1.0F)));
-    }
+  return boundsWhere(scene, [](const Primitive&) { return true; });
+}
+
+Bounds transparentBoundsOf(const Scene& scene) {
+  return boundsWhere(
+      scene, [&](const Primitive& primitive) { return scene.materialOf(primitive).isTransparent(); });
+}
+
+glm::vec2 distancesTo(const Bounds& bounds, const Camera& camera) {
+  if (bounds.empty()) return {camera.nearPlane, camera.farPlane};
+  const glm::vec3 nearest = glm::clamp(camera.position, bounds.min, bounds.max);
+  float farthest = camera.nearPlane;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    farthest = std::max(farthest, glm::distance(camera.position, cornerOf(bounds, corner)));
   }
-  return bounds;
+  return {std::max(camera.nearPlane, glm::distance(camera.position, nearest)), farthest};
 }
 
 void addDefaultLights(Scene& scene) {

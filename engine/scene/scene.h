@@ -155,6 +155,10 @@ struct Scene {
 
 /// World-space box around all instances.
 [[nodiscard]] Bounds boundsOf(const Scene& scene);
+/// The same around those with transparent materials.
+[[nodiscard]] Bounds transparentBoundsOf(const Scene& scene);
+/// Least and greatest distance from the camera to a box: x <= y, from the near plane on.
+[[nodiscard]] glm::vec2 distancesTo(const Bounds& bounds, const Camera& camera);
 
 /// Gives a scene without lights a key light that casts shadows, and ambient light, so that lit
 /// materials can be seen; chooses the directional light that casts shadows where none is marked.

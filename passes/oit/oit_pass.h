@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <string>
 
 #include "engine/frame/pass.h"
@@ -49,6 +50,14 @@ inline void dispatchStrips(const frame::PassContext& context) {
   const glm::ivec2 size = context.inputs().displaySize;
   const glm::ivec2 threads((size.x + STRIP - 1) / STRIP, size.y);
   context.dispatch(threads, {STRIP_GROUP, 1});
+}
+
+/// Pixels a side of which the search for a price looks at one.
+[[nodiscard]] inline int priceStride(glm::ivec2 size) {
+  const auto pixels = static_cast<std::int64_t>(size.x) * size.y;
+  int stride = 1;
+  while (pixels / (stride * stride) > PRICE_PIXELS) ++stride;
+  return stride;
 }
 
 }  // namespace macula::passes

@@ -58,6 +58,35 @@ vec3 ambientRadiance(vec3 n) {
 #endif
 }
 
+/// Attenuation of a light at a position; `l` becomes the unit vector towards it.
+float lightTowards(LightData light, vec3 position, out vec3 l) {
+  l = -light.direction.xyz;
+  uint type = uint(light.position.w);
+  if (type == LIGHT_DIRECTIONAL) return 1.0;
+  vec3 d = light.position.xyz - position;
+  float d2 = max(dot(d, d), 1e-4);  // a light on the surface: 1 cm away at the least
+  l = d * inversesqrt(d2);
+  // KHR_lights_punctual, "Range Property".
+  float range = light.direction.w;
+  float q = d2 / max(range * range, 1e-8);
+  float attenuation = (range > 0.0 ? clamp(1.0 - q * q, 0.0, 1.0) : 1.0) / d2;
+  if (type != LIGHT_SPOT) return attenuation;
+  float a = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
+  return attenuation * a * a;
+}
+
+/// Irradiance of all lights without shadows.
+vec3 irradianceAt(vec3 position, vec3 normal) {
+  vec3 sum = vec3(0.0);
+  int count = int(lights.ambient.w);
+  for (int i = 0; i < count; ++i) {
+    vec3 l;
+    float attenuation = lightTowards(lights.lights[i], position, l);
+    sum += lights.lights[i].color.rgb * (attenuation * max(dot(normal, l), 0.0));
+  }
+  return sum;
+}
+
 /// What one surface point sends to the eye, specular apart so that transparency can weigh it.
 struct Radiance {
   vec3 diffuse;
@@ -72,23 +101,8 @@ Radiance lightSurface(SurfacePoint s, vec3 eye) {
   int count = int(lights.ambient.w);
   for (int i = 0; i < count; ++i) {
     LightData light = lights.lights[i];
-    vec3 l = -light.direction.xyz;
-    float attenuation = 1.0;
-    uint type = uint(light.position.w);
-    if (type != LIGHT_DIRECTIONAL) {
-      vec3 d = light.position.xyz - s.position;
-      float d2 = max(dot(d, d), 1e-4);  // a light on the surface: 1 cm away at the least
-      l = d * inversesqrt(d2);
-      // KHR_lights_punctual, "Range Property".
-      float range = light.direction.w;
-      float q = d2 / max(range * range, 1e-8);
-      float window = range > 0.0 ? clamp(1.0 - q * q, 0.0, 1.0) : 1.0;
-      attenuation = window / d2;
-      if (type == LIGHT_SPOT) {
-        float a = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
-        attenuation *= a * a;
-      }
-    }
+    vec3 l;
+    float attenuation = lightTowards(light, s.position, l);
     float nDotL = dot(s.normal, l);
     if (nDotL <= 0.0 || attenuation <= 0.0) continue;
 #ifdef SHADOWS

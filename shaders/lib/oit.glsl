@@ -45,6 +45,13 @@ struct PixelSlots {
 #define TAIL_SLOTS 1u
 #endif
 
+/// Slots without which something of a pixel would not be seen at all.
+#ifdef TAIL_IN_SLOT
+#define LEAST_SLOTS TAIL_SLOTS
+#else
+#define LEAST_SLOTS 1u
+#endif
+
 /// Whether a pixel of n fragments with k slots needs and can hold a tail.
 bool hasTail(uint n, uint k) {
 #if defined(TAIL_IN_SLOT) && !defined(TAIL_DYNAMIC)

@@ -1,5 +1,5 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
-// LIT: the run's materials are lit.
+// LIT: the run's materials are lit. APPROXIMATE: also a cheap guess of both, for predictions.
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
 #ifdef LIT
@@ -31,3 +31,24 @@ vec4 shadeTransparent() {
   return vec4((s.baseColor + s.emissive) * s.alpha, s.alpha);
 #endif
 }
+
+#ifdef APPROXIMATE
+/// The same without shadows, highlights and reflections: enough to tell how colours differ.
+vec4 approximateTransparent() {
+  MaterialData m = materials[inIds.x];
+#ifdef LIT
+  vec4 base = baseColorAt(m);
+  vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) * facing(m) : vec3(0.0, 1.0, 0.0);
+  vec3 light = ambientRadiance(n) + irradianceAt(inPosition, n) / kPi;
+  float alpha = alphaOf(m, base.a);
+  float transmission = m.transmission.w;
+  vec3 tint = base.rgb * m.transmission.rgb;
+  float least = min(tint.r, min(tint.g, tint.b));
+  vec3 color = base.rgb * (1.0 - m.surface.x) * light * (1.0 - transmission) + m.emissive.rgb +
+               transmission * (tint - least) * light;
+  return vec4(color, 1.0 - transmission * least) * alpha;
+#else
+  return shadeTransparent();
+#endif
+}
+#endif

@@ -25,6 +25,28 @@
 // Slots of one pixel; more would only be unused.
 #define MAX_PIXEL_LAYERS 65535u
 
+// Fixed point of depth slices: steps in one unit of optical depth, and where the count of fragments
+// stands above it: 2^10 fragments and an optical depth of 2^12 a slice.
+#define SLICE_STEPS 1024.0
+#define SLICE_COUNT_SHIFT 22
+// 1/256 passes: less cannot be told from nothing in 8 bits.
+#define SLICE_MAX_DEPTH 8.0
+// Radiance beyond white, so that highlights count but do not drown the rest.
+#define SLICE_MAX_COLOR 4.0
+#define MAX_SLICES 16
+// Parts that a slice is thought to consist of, its fragments spread evenly over them.
+#define SLICE_PARTS 2
+
+// The price of a slot is searched for between 2^-40 and 2^4: from what one fragment among thousands
+// can change to more than a whole pixel is worth.
+#define PRICE_LOWEST -40.0
+#define PRICE_HIGHEST 4.0
+// Octaves by which the high and the low price stand off the one found in a sample of the pixels: its
+// sums are about one per cent off.
+#define PRICE_MARGIN 0.05
+// Pixels a side of which the search looks at one, at the most, and pixels that are enough for it.
+#define PRICE_PIXELS 65536
+
 // The depth key of an empty slot: no depth has it.
 #define NO_KEY 0xFFFFFFFFu
 

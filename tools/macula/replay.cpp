@@ -148,9 +148,7 @@ void replay(const ReplayOptions& options) {
 
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";
-  passes::RenderSettings referenceSettings = settings;
-  referenceSettings.oit.method = "ab-sbuffer";
-  referenceSettings.heatmap.map = "none";
+  const passes::RenderSettings referenceSettings = passes::referenceOf(settings);
 
   const window::HeadlessContext context(platformOf(options.platform));
   passes::Machine machine;

@@ -1,0 +1,43 @@
+#include "passes/oit/bidding.h"
+
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+void declareBids(frame::PassDeclaration& d, const OitPlan& plan) {
+  d.reads(Resource::FragmentCount, Use::Texture);
+  if (plan.mapsImportance()) d.reads(Resource::Importance, Use::Image);
+  if (plan.slices()) {
+    d.reads(Resource::SliceSums, Use::Storage);
+    d.reads(Resource::HdrColor, Use::Texture);
+  }
+}
+
+gl::Defines bidDefines(const OitPlan& plan) {
+  gl::Defines defines;
+  if (plan.packed()) defines.emplace_back("PACKED", "1");
+  if (plan.tailInSlot()) defines.emplace_back("TAIL_IN_SLOT", "1");
+  const Predictor predictor = plan.options.importance;
+  defines.emplace_back(plan.method->allocation == Allocation::OneK ? "BID_UNIFORM"
+                       : predictor == Predictor::Published         ? "BID_IMPORTANCE"
+                       : predictor == Predictor::Transmittance     ? "BID_TRANSMITTANCE"
+                                                                   : "BID_ERROR",
+                       "1");
+  return defines;
+}
+
+void bindBids(const frame::PassContext& context, const OitPlan& plan) {
+  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  if (plan.mapsImportance()) context.bindImage(IMG_2, Resource::Importance, GL_READ_ONLY);
+  if (plan.slices()) {
+    context.bindStorage(SSBO_SLICES, Resource::SliceSums);
+    context.bindTexture(TEX_INPUT1, Resource::HdrColor);
+    glUniform2f(0, static_cast<float>(plan.importance.periphery),
+                static_cast<float>(plan.importance.gazeWeight));
+  }
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,41 @@
+#include "passes/oit/share_pass.h"
+
+#include "passes/oit/hand_out.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+bool SharePass::wanted() const {
+  return plan_.auctions();
+}
+
+void SharePass::declareWork(frame::PassDeclaration& d) const {
+  d.reads(Resource::FragmentCount, Use::Texture);
+  d.consumes(Resource::SlotBids, Use::Image);
+  d.consumes(Resource::StripSums, Use::Storage);
+  d.reads(Resource::OitTotals, Use::Storage);
+  if (plan_.slices()) d.consumes(Resource::SliceSums, Use::Storage);
+  declareHandOut(d, plan_);
+}
+
+void SharePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
+  gl::Defines defines = handOutDefines(plan_);
+  if (plan_.slices()) defines.emplace_back("SLICES", "1");
+  program_ = programs.get({{"oit/share.comp"}, defines, {}});
+}
+
+void SharePass::execute(frame::PassContext& context) {
+  glUseProgram(program_);
+  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindImage(IMG_2, Resource::SlotBids, GL_READ_ONLY);
+  bindHandOut(context, plan_);
+  context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
+  context.bindStorage(SSBO_STRIP_SUMS, Resource::StripSums);
+  if (plan_.slices()) context.bindStorage(SSBO_SLICES, Resource::SliceSums);
+  dispatchStrips(context);
+}
+
+}  // namespace macula::passes

@@ -1,0 +1,58 @@
+#include "passes/oit/slices_pass.h"
+
+#include "engine/gl/render_state.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+bool SlicesPass::wanted() const {
+  return plan_.slices();
+}
+
+void SlicesPass::declareWork(frame::PassDeclaration& d) const {
+  d.reads(Resource::Depth, plan_.importance.tile > 1 ? Use::Texture : Use::DepthTarget);
+  if (plan_.importance.tile > 1) d.uses(Resource::TileDepth, Use::DepthTarget);
+  d.writes(Resource::SliceSums, Use::Storage);
+}
+
+void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
+  const auto sync = plan_.sync == SyncMode::Ordered ? gl::Defines{{"SYNC_ORDERED", "1"}}
+                                                    : gl::Defines{};
+  variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", sync, {}, programs);
+  tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
+  if (!noAttributes_) {
+    GLuint id = 0;
+    glCreateVertexArrays(1, &id);
+    noAttributes_ = gl::VertexArrayId(id);
+  }
+  emptied_ = false;
+}
+
+void SlicesPass::drawTileDepth(frame::PassContext& context) {
+  context.bindTargets({}, Resource::TileDepth);
+  context.bindTexture(TEX_INPUT0, Resource::Depth);
+  gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
+  glDisable(GL_CULL_FACE);
+  glBindVertexArray(noAttributes_.id());
+  glUseProgram(tileProgram_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SlicesPass::execute(frame::PassContext& context) {
+  const scene::GpuScene& gpu = *context.inputs().gpu;
+  // Whoever shares the slots out leaves the sums empty again, which is cheaper than to clear them all.
+  if (!emptied_) context.resources().clear(Resource::SliceSums);
+  emptied_ = true;
+  const bool tiled = plan_.importance.tile > 1;
+  if (tiled) drawTileDepth(context);
+  context.bindTargets({}, tiled ? Resource::TileDepth : Resource::Depth);
+  gl::apply({.depthTest = true});
+  gpu.bindLights();
+  context.bindStorage(SSBO_SLICES, Resource::SliceSums);
+  variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
+}
+
+}  // namespace macula::passes

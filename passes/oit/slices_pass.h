@@ -1,0 +1,29 @@
+// Sums transparent fragments into depth slices, from which layers are predicted.
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+#include "engine/gl/objects.h"
+#include "passes/scene_draw.h"
+
+namespace macula::passes {
+
+class SlicesPass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.slices"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+  void execute(frame::PassContext& context) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+
+  void drawTileDepth(frame::PassContext& context);
+
+  SceneVariants variants_;
+  GLuint tileProgram_ = 0;
+  gl::VertexArrayId noAttributes_;
+  bool emptied_ = false;  ///< the sums are empty at the begin of a frame
+};
+
+}  // namespace macula::passes

@@ -1,0 +1,26 @@
+// Reads what a pixel bids by. For the passes that search for the price and that share the slots out.
+#include "lib/bids.glsl"
+
+layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
+#ifdef BID_IMPORTANCE
+layout(r32ui, binding = IMG_2) readonly uniform uimage2D importance;
+#endif
+#if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
+layout(binding = TEX_INPUT1) uniform sampler2D opaqueColor;
+layout(location = 0) uniform vec2 gazeSettings;  // periphery (d of Eq. 4), weight of the gaze
+#endif
+
+Bidder bidderAt(ivec2 p, uint n) {
+#if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
+  float weight = 1.0;
+  if (gazeSettings.y > 0.0) {
+    float seen = peripheryFactor(vec2(p) + 0.5, ImportanceSettings(0.0, gazeSettings.x, 0.0, 1.0));
+    weight = mix(1.0, seen * seen, gazeSettings.y);
+  }
+  return makeBidder(p, n, texelFetch(opaqueColor, p, 0).rgb, weight);
+#elif defined(BID_IMPORTANCE)
+  return makeBidder(n, float(imageLoad(importance, p).r) / float(IMPORTANCE_ONE));
+#else
+  return makeBidder(n, 1.0);
+#endif
+}

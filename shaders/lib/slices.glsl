@@ -1,0 +1,32 @@
+// Depth slices: what a pixel's fragments come to in each interval of distance, summed in fixed point
+// so that their order changes nothing.
+#include "lib/frame.glsl"
+#include "shared/oit_constants.h"
+
+struct Slice {
+  float fragments;
+  float tau;     // optical depth, halvings
+  vec3 tauColor;  // optical depth times colour
+};
+
+/// Words of a slice: count above optical depth in one, then colour. Beyond their range they wrap, and
+/// only the prediction is worse for it.
+uvec4 encodeSlice(float tau, vec3 color) {
+  uvec4 fixedPoint = uvec4(vec4(tau, tau * color) * SLICE_STEPS + 0.5);
+  return uvec4(fixedPoint.x + (1u << SLICE_COUNT_SHIFT), fixedPoint.yzw);
+}
+
+Slice decodeSlice(uvec4 words) {
+  Slice s;
+  s.fragments = float(words.x >> SLICE_COUNT_SHIFT);
+  s.tau = float(words.x & ((1u << SLICE_COUNT_SHIFT) - 1u)) / SLICE_STEPS;
+  s.tauColor = vec3(words.yzw) / SLICE_STEPS;
+  return s;
+}
+
+/// First slice of the tile that holds a pixel.
+uint sliceBase(ivec2 p) {
+  int tile = int(frame.slices.w);
+  int tilesWide = (int(frame.size.x) + tile - 1) / tile;
+  return uint((p.y / tile) * tilesWide + p.x / tile) * uint(frame.slices.z);
+}

@@ -1,0 +1,34 @@
+// Slots that each pixel takes at a price a little above and a little below the one found, and the sums
+// of each strip: of the least that pixels need, of both, and of all fragments.
+#include "shared/oit_constants.h"
+layout(local_size_x = STRIP_GROUP) in;
+
+#include "lib/frame.glsl"
+#include "lib/bidder_inputs.glsl"
+
+layout(r32ui, binding = IMG_0) writeonly uniform uimage2D slotBids;
+layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
+layout(std430, binding = SSBO_STRIP_SUMS) writeonly buffer StripSums { uvec4 stripSums[]; };
+#include "lib/price.glsl"
+#include "lib/strips.glsl"
+
+void main() {
+  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
+  if (first.x >= int(frame.size.x)) return;
+  int end = min(first.x + STRIP, int(frame.size.x));
+  PriceBounds bounds = priceBounds(PRICE_ROUNDS, frame.oit.y, pixelsPerSample());
+  uvec4 sum = uvec4(0u);
+  for (ivec2 p = first; p.x < end; ++p.x) {
+    uint n = min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS);
+    uint bids = 0u;
+    if (n > 0u) {
+      Bidder b = bidderAt(p, n);
+      uint high = slotsAt(b, bounds.high + PRICE_MARGIN);
+      uint low = max(high, slotsAt(b, bounds.low - PRICE_MARGIN));
+      sum += uvec4(b.least, high, low, n);
+      bids = high | (low << 16);
+    }
+    imageStore(slotBids, p, uvec4(bids));
+  }
+  stripSums[stripIndex(first)] = sum;
+}
