@@ -21,10 +21,10 @@ struct Options {
 };
 
 void print(const measure::ImageError& error) {
-  fmt::print("rmse     {:.6f}\npsnr_db  {}\nmax      {:.6f}\nflip     {:.6f}\n", error.rmse,
+  fmt::print("rmse       {:.6f}\npsnr_db    {}\nmax        {:.6f}\nflip       {:.6f}\n", error.rmse,
              error.psnrDb ? fmt::format("{:.2f}", *error.psnrDb) : "- (identical)", error.max,
              error.flip.value());
-  if (error.flipGaze) fmt::print("flip at the gaze  {:.6f}\n", *error.flipGaze);
+  if (error.flipGaze) fmt::print("flip_gaze  {:.6f}\n", *error.flipGaze);
 }
 
 void run(const Options& options) {
