@@ -151,6 +151,25 @@ TEST(LeastRmse, StepsOverLayersThatAloneWinNothing) {
   EXPECT_EQ(leastRmse(image, 3, Tail::None, asItIs).k, (std::vector<std::uint32_t>{1, 2}));
 }
 
+// One pixel shows 0, 0.0099 and 0.9009: the hull has one step, from one layer to all three. With
+// two slots it does not fit, and the second layer still helps.
+TEST(LeastRmse, WhatIsLeftGoesInsideAStep) {
+  const FragmentImage image = imageOf({{grey(0, 0.01F), grey(0.1F, 0.1F), grey(1, 1.0F)}});
+  const LeastRmseChoice choice = leastRmse(image, 2, Tail::None, asItIs);
+  EXPECT_EQ(choice.k, (std::vector<std::uint32_t>{2}));
+  EXPECT_NEAR(choice.rmse, 0.891, 1e-5);
+  // Half the step's squared error: 0.9009 / sqrt(2).
+  EXPECT_NEAR(choice.bound, 0.637033, 1e-5);
+}
+
+// Over 0.8: 0.9, 0.95 and 0.75 with 1, 2 and 3 layers. The second alone makes it worse.
+TEST(LeastRmse, SlotsThatWouldDoHarmStayUnused) {
+  const FragmentImage bright =
+      imageOf({{grey(1, 0.5F), grey(1, 0.5F), grey(0, 1.0F)}}, glm::vec3(0.8F));
+  EXPECT_EQ(leastRmse(bright, 2, Tail::None, asItIs).slots, 1U);
+  EXPECT_EQ(leastRmse(bright, 3, Tail::None, asItIs).slots, 3U);
+}
+
 TEST(LeastRmse, BudgetBelowOneEachGoesWhereItHelpsMost) {
   const FragmentImage image = imageOf({{grey(0.1F, 1)}, {grey(0.9F, 1)}, {grey(0.5F, 1)}});
   EXPECT_EQ(leastRmse(image, 2, Tail::None).k, (std::vector<std::uint32_t>{0, 1, 1}));
@@ -216,9 +235,10 @@ TEST_P(EveryChoice, NoneIsBetterOnTheHullAndNoneIsBelowTheBound) {
 
 TEST_P(EveryChoice, TheBudgetIsUsedUpWhereMoreDoesNoHarm) {
   std::mt19937 random(11);
-  for (int round = 0; round < 20; ++round) {
-    const FragmentImage image = randomImage(random, 40, 12);
-    for (std::uint64_t budget = 0; budget <= image.fragments.size() + 3; budget += 7) {
+  for (int round = 0; round < 60; ++round) {
+    // Few pixels, so that remainders find no short step elsewhere.
+    const FragmentImage image = randomImage(random, 1 + round % 12, 12);
+    for (std::uint64_t budget = 0; budget <= image.fragments.size() + 3; ++budget) {
       const LeastRmseChoice choice = leastRmse(image, budget, GetParam());
       const std::uint64_t wanted = std::min<std::uint64_t>(budget, image.fragments.size());
       ASSERT_LE(choice.slots, wanted);
