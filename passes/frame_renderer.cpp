@@ -74,8 +74,14 @@ FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
 void FrameRenderer::setScene(const scene::GpuScene& scene) {
   inputs_.gpu = &scene;
   inputs_.facts = scene.facts();
+  if (!transparencyShown_) inputs_.facts.transparentTriangles = 0;  // every pass asks for these
   deepestSeen_ = 0;
   settingsChanged();
+}
+
+void FrameRenderer::showTransparency(bool shown) {
+  transparencyShown_ = shown;
+  if (inputs_.gpu != nullptr) setScene(*inputs_.gpu);
 }
 
 void FrameRenderer::resize(glm::ivec2 outputSize) {

@@ -53,6 +53,9 @@ class FrameRenderer {
   void setScene(const scene::GpuScene& scene);
   /// Pixels of the image. Invalidates history.
   void resize(glm::ivec2 outputSize);
+  /// Whether transparent surfaces are drawn (the default). Without them a frame holds what lies
+  /// behind every transparent fragment. Invalidates history.
+  void showTransparency(bool shown);
   /// To be called after a change of the settings given to the constructor.
   void settingsChanged();
 
@@ -97,6 +100,7 @@ class FrameRenderer {
   glm::mat4 lastViewProjection_{1.0F};
   bool prepared_ = false;
   bool historyUsable_ = false;
+  bool transparencyShown_ = true;
 };
 
 }  // namespace macula::passes

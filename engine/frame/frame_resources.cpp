@@ -101,11 +101,17 @@ const gl::Buffer& FrameResources::buffer(Resource r) const {
   return buffers_[indexOf(r)];
 }
 
+std::uint64_t FrameResources::bytesOf(Resource r) const {
+  const std::size_t i = indexOf(r);
+  return textures_[i] ? textures_[i].bytes() : buffers_[i].bytes();
+}
+
 ResourceBytes FrameResources::bytes() const {
   ResourceBytes sum;
   for (std::size_t i = 0; i < kResourceCount; ++i) {
-    const std::uint64_t bytes = textures_[i] ? textures_[i].bytes() : buffers_[i].bytes();
-    switch (infoOf(static_cast<Resource>(i)).bytes) {
+    const auto resource = static_cast<Resource>(i);
+    const std::uint64_t bytes = bytesOf(resource);
+    switch (infoOf(resource).bytes) {
       case ByteClass::Oit:
         sum.oit += bytes;
         break;

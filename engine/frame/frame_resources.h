@@ -39,6 +39,8 @@ class FrameResources {
   [[nodiscard]] const gl::Buffer& buffer(Resource r) const;
   [[nodiscard]] bool has(Resource r) const;
   [[nodiscard]] ResourceBytes bytes() const;
+  /// Bytes of one resource; 0 where it is not allocated.
+  [[nodiscard]] std::uint64_t bytesOf(Resource r) const;
 
   /// The framebuffer with these attachments; made on first use.
   /// @param depth Resource::Count for none

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/measure/error_maps.h"
 
 namespace macula::measure {
 namespace {
@@ -16,17 +17,43 @@ image::ImageF load(const std::filesystem::path& path, bool hdr) {
   return image.linear && !hdr ? toDisplay(image) : std::move(image);
 }
 
+/// Two images, loaded, and how they compare.
+struct Loaded {
+  image::ImageF reference;
+  image::ImageF test;
+  Comparison comparison;
+};
+
+Loaded compareLoaded(const std::filesystem::path& reference, const std::filesystem::path& test,
+                     const CompareOptions& options) {
+  Loaded loaded{load(reference, options.hdr), load(test, options.hdr), {}};
+  try {
+    loaded.comparison = compareWithMap(loaded.reference, loaded.test, options);
+  } catch (const InputError& error) {
+    failInput("{} and {}: {}", reference.string(), test.string(), error.what());
+  }
+  return loaded;
+}
+
 }  // namespace
 
 ImageError compareFiles(const std::filesystem::path& reference, const std::filesystem::path& test,
                         const CompareOptions& options) {
-  const image::ImageF wanted = load(reference, options.hdr);
-  const image::ImageF got = load(test, options.hdr);
-  try {
-    return compareImages(wanted, got, options);
-  } catch (const InputError& error) {
-    failInput("{} and {}: {}", reference.string(), test.string(), error.what());
-  }
+  return compareLoaded(reference, test, options).comparison.error;
+}
+
+std::pair<ImageError, MapFiles> compareFilesToMaps(const std::filesystem::path& reference,
+                                                   const std::filesystem::path& test,
+                                                   const std::string& prefix,
+                                                   const CompareOptions& options) {
+  CompareOptions withFlip = options;
+  withFlip.flip = true;
+  const Loaded loaded = compareLoaded(reference, test, withFlip);
+  const DifferenceMap difference = differenceMap(loaded.reference, loaded.test);
+  MapFiles files{prefix + "_difference.png", difference.scale, prefix + "_flip.png"};
+  image::writePng(files.difference, difference.image);
+  image::writePng(files.flip, flipImage(loaded.comparison.flipMap.value()));
+  return {loaded.comparison.error, files};
 }
 
 }  // namespace macula::measure

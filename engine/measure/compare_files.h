@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "engine/measure/image_error.h"
 
@@ -13,5 +15,19 @@ namespace macula::measure {
 [[nodiscard]] ImageError compareFiles(const std::filesystem::path& reference,
                                       const std::filesystem::path& test,
                                       const CompareOptions& options = {});
+
+/// Where the maps of two files went.
+struct MapFiles {
+  std::filesystem::path difference;  ///< PREFIX_difference.png, see differenceMap()
+  double differenceScale = 1.0;
+  std::filesystem::path flip;  ///< PREFIX_flip.png, see flipImage()
+};
+
+/// compareFiles() that also writes maps.
+/// @param prefix begins the paths of both files
+/// @throws InputError also where they cannot be written
+[[nodiscard]] std::pair<ImageError, MapFiles> compareFilesToMaps(
+    const std::filesystem::path& reference, const std::filesystem::path& test,
+    const std::string& prefix, const CompareOptions& options = {});
 
 }  // namespace macula::measure

@@ -106,8 +106,8 @@ std::array<Plane, 3> toYcxcz(const ImageF& image) {
   for (std::size_t pixel = 0; pixel < pixelCount(image); ++pixel) {
     Triple rgb{};
     for (int c = 0; c < 3; ++c) {
-      rgb[static_cast<std::size_t>(c)] =
-          decodeSrgb(std::clamp(colourAt(image, pixel, c), 0.0F, 1.0F));
+      const float value = std::clamp(colourAt(image, pixel, c), 0.0F, 1.0F);
+      rgb[static_cast<std::size_t>(c)] = image.linear ? value : decodeSrgb(value);
     }
     const Triple opponent = xyzToYcxcz(rgbToXyz(rgb));
     for (std::size_t c = 0; c < 3; ++c) planes[c].values[pixel] = opponent[c];
@@ -251,11 +251,14 @@ Plane flipMap(const ImageF& reference, const ImageF& test, double pixelsPerDegre
   return map;
 }
 
-double flipMean(const ImageF& reference, const ImageF& test, double pixelsPerDegree) {
-  const Plane map = flipMap(reference, test, pixelsPerDegree);
+double meanOf(const Plane& map) {
   double sum = 0.0;
   for (const float value : map.values) sum += static_cast<double>(value);
   return sum / static_cast<double>(map.values.size());
+}
+
+double flipMean(const ImageF& reference, const ImageF& test, double pixelsPerDegree) {
+  return meanOf(flipMap(reference, test, pixelsPerDegree));
 }
 
 }  // namespace macula::measure

@@ -22,12 +22,15 @@ inline constexpr double kDefaultPixelsPerDegree = 67.0206;
   return image.pixels[pixel * channels + (channels < 3 ? 0 : static_cast<std::size_t>(channel))];
 }
 
-/// The FLIP error of every pixel, 0 (none) to 1. Values are taken as sRGB-encoded and clamped to
-/// 0..1; alpha is left out.
+/// The FLIP error of every pixel, 0 (none) to 1. Values are clamped to 0..1 and taken as
+/// sRGB-encoded, or as they are where an image is linear; alpha is left out.
 /// @param pixelsPerDegree of visual angle, 1..1000
 /// @throws InputError where sizes differ, an image is empty or pixelsPerDegree is out of range.
 [[nodiscard]] Plane flipMap(const image::ImageF& reference, const image::ImageF& test,
                             double pixelsPerDegree = kDefaultPixelsPerDegree);
+
+/// The mean of a map.
+[[nodiscard]] double meanOf(const Plane& map);
 
 /// The mean of flipMap().
 [[nodiscard]] double flipMean(const image::ImageF& reference, const image::ImageF& test,

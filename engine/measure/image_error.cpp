@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
+#include "engine/measure/gaze_weight.h"
+#include "engine/measure/hdr_flip.h"
 #include "engine/measure/srgb.h"
 
 namespace macula::measure {
@@ -29,12 +31,13 @@ void requireComparable(const ImageF& reference, const ImageF& test) {
 
 }  // namespace
 
-ImageError compareImages(const ImageF& reference, const ImageF& test,
-                         const CompareOptions& options) {
+Comparison compareWithMap(const ImageF& reference, const ImageF& test,
+                          const CompareOptions& options) {
   requireComparable(reference, test);
   const std::size_t pixels =
       static_cast<std::size_t>(reference.width) * static_cast<std::size_t>(reference.height);
-  ImageError error;
+  Comparison result;
+  ImageError& error = result.error;
   double squares = 0.0;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     for (int channel = 0; channel < 3; ++channel) {
@@ -50,8 +53,19 @@ ImageError compareImages(const ImageF& reference, const ImageF& test,
   const double meanSquare = squares / (3.0 * static_cast<double>(pixels));
   error.rmse = std::sqrt(meanSquare);
   if (meanSquare > 0.0) error.psnrDb = -10.0 * std::log10(meanSquare);
-  if (options.flip && !options.hdr) error.flip = flipMean(reference, test, options.pixelsPerDegree);
-  return error;
+  if (!options.flip) return result;
+  result.flipMap = options.hdr ? hdrFlipMap(reference, test, options.pixelsPerDegree)
+                               : flipMap(reference, test, options.pixelsPerDegree);
+  error.flip = meanOf(*result.flipMap);
+  if (options.gaze) {
+    error.flipGaze = gazeWeightedMean(*result.flipMap, *options.gaze, options.pixelsPerDegree);
+  }
+  return result;
+}
+
+ImageError compareImages(const ImageF& reference, const ImageF& test,
+                         const CompareOptions& options) {
+  return compareWithMap(reference, test, options).error;
 }
 
 ImageF toDisplay(const ImageF& linear) {
@@ -71,10 +85,12 @@ nlohmann::json toJson(const ImageError& error) {
   const auto orNull = [](const std::optional<double>& number) {
     return number ? nlohmann::json(*number) : nlohmann::json(nullptr);
   };
-  return {{"rmse", error.rmse},
-          {"psnr_db", orNull(error.psnrDb)},
-          {"max", error.max},
-          {"flip", orNull(error.flip)}};
+  nlohmann::json json{{"rmse", error.rmse},
+                      {"psnr_db", orNull(error.psnrDb)},
+                      {"max", error.max},
+                      {"flip", orNull(error.flip)}};
+  if (error.flipGaze) json["flip_gaze"] = *error.flipGaze;
+  return json;
 }
 
 }  // namespace macula::measure

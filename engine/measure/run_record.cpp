@@ -21,11 +21,18 @@ Json orNull(const std::optional<T>& value) {
 }
 
 Json errorJson(const std::optional<ImageError>& error) {
-  if (!error) return {{"rmse", nullptr}, {"psnr_db", nullptr}, {"max", nullptr}, {"flip", nullptr}};
+  if (!error) {
+    return {{"rmse", nullptr},
+            {"psnr_db", nullptr},
+            {"max", nullptr},
+            {"flip", nullptr},
+            {"flip_gaze", nullptr}};
+  }
   return {{"rmse", error->rmse},
           {"psnr_db", orNull(error->psnrDb)},
           {"max", error->max},
-          {"flip", orNull(error->flip)}};
+          {"flip", orNull(error->flip)},
+          {"flip_gaze", orNull(error->flipGaze)}};
 }
 
 Json fragmentsJson(const std::optional<FragmentNumbers>& f) {
@@ -58,29 +65,30 @@ Json frameJson(const FrameRecord& frame) {
           {"fragments", fragmentsJson(frame.fragments)},
           {"k", layersJson(frame.layers)},
           {"error", errorJson(frame.error)},
+          {"flicker", orNull(frame.flicker)},
           {"exact", frame.exact},
           {"image_sha256", frame.imageSha256}};
 }
 
 std::optional<ImageError> meanError(const std::vector<FrameRecord>& frames) {
   ImageError sum;
-  double squares = 0.0;
-  double flip = 0.0;
-  int count = 0;
-  bool hasFlip = true;
+  std::vector<double> squares;
+  std::vector<double> flips;
+  std::vector<double> gazeFlips;
   for (const FrameRecord& frame : frames) {
     if (!frame.error) continue;
-    ++count;
-    squares += frame.error->rmse * frame.error->rmse;
+    squares.push_back(frame.error->rmse * frame.error->rmse);
     sum.max = std::max(sum.max, frame.error->max);
-    hasFlip = hasFlip && frame.error->flip.has_value();
-    flip += frame.error->flip.value_or(0.0);
+    if (frame.error->flip) flips.push_back(*frame.error->flip);
+    if (frame.error->flipGaze) gazeFlips.push_back(*frame.error->flipGaze);
   }
-  if (count == 0) return std::nullopt;
-  const double meanSquare = squares / count;
-  sum.rmse = std::sqrt(meanSquare);
-  if (meanSquare > 0.0) sum.psnrDb = -10.0 * std::log10(meanSquare);
-  if (hasFlip) sum.flip = flip / count;
+  const std::optional<double> meanSquare = mean(squares);
+  if (!meanSquare) return std::nullopt;
+  sum.rmse = std::sqrt(*meanSquare);
+  if (*meanSquare > 0.0) sum.psnrDb = -10.0 * std::log10(*meanSquare);
+  // A mean over some of the frames would look like one over all.
+  if (flips.size() == squares.size()) sum.flip = mean(flips);
+  if (gazeFlips.size() == squares.size()) sum.flipGaze = mean(gazeFlips);
   return sum;
 }
 
@@ -98,9 +106,14 @@ std::optional<FragmentNumbers> sumFragments(const std::vector<FrameRecord>& fram
 
 Json summaryJson(const RunRecord& run) {
   std::vector<double> totals;
-  for (const FrameRecord& frame : run.frames) totals.push_back(frame.totalMs);
+  std::vector<double> flickers;
+  for (const FrameRecord& frame : run.frames) {
+    totals.push_back(frame.totalMs);
+    if (frame.flicker) flickers.push_back(*frame.flicker);
+  }
   return {{"ms", {{"median", orNull(median(totals))}, {"p95", orNull(p95(totals))}}},
           {"error", errorJson(meanError(run.frames))},
+          {"flicker", orNull(mean(flickers))},
           {"fragments", fragmentsJson(sumFragments(run.frames))},
           {"load_ms", run.loadMs},
           {"first_frame_ms", run.firstFrameMs}};
@@ -109,6 +122,8 @@ Json summaryJson(const RunRecord& run) {
 }  // namespace
 
 Json toJson(const RunRecord& run) {
+  Json buffers = Json::object();
+  for (const auto& [name, bytes] : run.transparencyBytes) buffers[name] = bytes;
   Json report{
       {"schema", 1},
       {"commit", run.commit},
@@ -124,7 +139,8 @@ Json toJson(const RunRecord& run) {
        {{"oit", run.oitBytes},
         {"budget", orNull(run.budgetBytes)},
         {"overhead", run.overheadBytes},
-        {"gbuffer", run.gbufferBytes}}},
+        {"gbuffer", run.gbufferBytes},
+        {"buffers", buffers}}},
       {"frames", Json::array()}};
   for (const FrameRecord& frame : run.frames) report["frames"].push_back(frameJson(frame));
   report["summary"] = summaryJson(run);

@@ -41,6 +41,7 @@ struct FrameRecord {
   std::optional<FragmentNumbers> fragments;
   std::optional<LayerNumbers> layers;
   std::optional<ImageError> error;
+  std::optional<double> flicker;  ///< see FlickerMeter; none for the first frame
   bool exact = false;
   std::string imageSha256;
 };
@@ -60,6 +61,8 @@ struct RunRecord {
   std::optional<std::uint64_t> budgetBytes;
   std::uint64_t overheadBytes = 0;
   std::uint64_t gbufferBytes = 0;
+  /// Each buffer and texture of the transparency, by name; they add up to oitBytes + overheadBytes.
+  std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes;
   double loadMs = 0.0;
   double firstFrameMs = 0.0;  ///< from the start of the command to the end of the first frame
   std::vector<FrameRecord> frames;
@@ -67,7 +70,8 @@ struct RunRecord {
 
 /// report.json, schema 1. What does not apply is null.
 /// The summary: median and 95th percentile of the frame times; the errors' means over frames, with
-/// rmse as the root of the mean square, psnr_db from it, and max as the largest; fragment sums.
+/// rmse as the root of the mean square, psnr_db from it, and max as the largest; the mean flicker
+/// of all frames but the first; fragment sums.
 [[nodiscard]] nlohmann::ordered_json toJson(const RunRecord& run);
 
 }  // namespace macula::measure

@@ -58,6 +58,8 @@ refuses "zero frames" frames "$macula" replay layers-2 --frames 0 --out out
 refuses "unknown subcommand" replay "$macula" replai
 refuses "no subcommand" subcommand "$macula"
 refuses "compare without a file" nowhere.png "$macula" compare nowhere.png nowhere.png
+refuses "compare with a gaze off the image" --gaze "$macula" compare a.png b.png --gaze 1.5,0
+refuses "compare of no pixels per degree" pixels-per-degree "$macula" compare a.png b.png --pixels-per-degree 0
 refuses "gaze info of garbage" garbage.csv "$macula" gaze info garbage.csv
 refuses "scene info of a cut file" cut.glb "$macula" scene info cut.glb
 if [[ $(id -u) -ne 0 ]]; then

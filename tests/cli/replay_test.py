@@ -24,13 +24,18 @@ def check_schema(report):
     assert list(report)[:8] == ["schema", "commit", "scene", "width", "height", "gl", "method",
                                 "sync"], list(report)
     assert report["schema"] == 1
-    assert set(report["bytes"]) == {"oit", "budget", "overhead", "gbuffer"}
+    assert set(report["bytes"]) == {"oit", "budget", "overhead", "gbuffer", "buffers"}
+    buffers = report["bytes"]["buffers"]
+    assert sum(buffers.values()) == report["bytes"]["oit"] + report["bytes"]["overhead"], buffers
     for i, frame in enumerate(report["frames"]):
         assert frame["index"] == i
         assert set(frame) == {"index", "time_s", "gaze", "r", "ms", "fragments", "k", "error",
-                              "exact", "image_sha256"}, set(frame)
+                              "flicker", "exact", "image_sha256"}, set(frame)
         assert set(frame["gaze"]) == {"x", "y", "raw_x", "raw_y", "state", "age_s"}
-        assert set(frame["error"]) == {"rmse", "psnr_db", "max", "flip"}
+        assert set(frame["error"]) == {"rmse", "psnr_db", "max", "flip", "flip_gaze"}
+        compared = frame["error"]["rmse"] is not None
+        assert (frame["error"]["flip_gaze"] is not None) == compared
+        assert (frame["flicker"] is not None) == (compared and i > 0), frame["flicker"]
         assert set(frame["fragments"]) == {"generated", "stored", "merged", "lost"}
         assert 0 <= frame["gaze"]["x"] <= 1 and 0 <= frame["gaze"]["y"] <= 1
         assert frame["ms"]["total"] > 0
@@ -79,7 +84,31 @@ def check_images(folder):
     printed = subprocess.run([MACULA, "compare", os.path.join(out, "reference_00000.png"),
                               os.path.join(out, "frame_00000.png"), "--json", "-"], check=True,
                              capture_output=True, text=True).stdout
-    assert abs(json.loads(printed)["rmse"] - report["frames"][0]["error"]["rmse"]) < 2 / 255
+    plain = json.loads(printed)
+    assert set(plain) == {"rmse", "psnr_db", "max", "flip"}, plain
+    assert abs(plain["rmse"] - report["frames"][0]["error"]["rmse"]) < 2 / 255
+    prefix = os.path.join(out, "error")
+    printed = subprocess.run([MACULA, "compare", os.path.join(out, "reference_00000.png"),
+                              os.path.join(out, "frame_00000.png"), "--gaze", "0.5,0.5", "--maps",
+                              prefix, "--json", "-"], check=True, capture_output=True,
+                             text=True).stdout
+    more = json.loads(printed)
+    assert {k: more[k] for k in plain} == plain, "more is asked for, the rest stays"
+    assert abs(more["flip_gaze"] - report["frames"][0]["error"]["flip_gaze"]) < 2 / 255
+    assert more["maps"]["difference"] == prefix + "_difference.png"
+    assert more["maps"]["difference_scale"] >= 1
+    assert os.path.exists(prefix + "_difference.png") and os.path.exists(prefix + "_flip.png")
+
+
+def check_hdr(folder):
+    options = ("layers-4", "--frames", "2", "--size", "32x24", "--reference", "--k-ave", "2",
+               "--tonemap", "none")
+    linear, _ = replay(folder, *options, "--hdr")
+    check_schema(linear)
+    display, _ = replay(folder, *options)
+    for a, b in zip(linear["frames"], display["frames"]):
+        assert a["error"]["flip"] > 0 and a["error"]["flip"] != b["error"]["flip"]
+        assert a["flicker"] == b["flicker"], "flicker is on display values in both"
 
 
 def check_deterministic(folder, scene, gaze):
@@ -121,6 +150,7 @@ def main():
         check_budget(folder)
         check_identical_is_null(folder)
         check_images(folder)
+        check_hdr(folder)
         demo = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
         check_deterministic(folder, "layers-12", demo)
         log = os.path.join(DATA, "gaze", "tobii_studio_50hz_decimal_comma.tsv")

@@ -75,11 +75,11 @@ TEST(CompareImages, AlphaIsLeftOutAndGreyIsThreeChannels) {
   EXPECT_DOUBLE_EQ(compareImages(rgba, greyAlpha, kNoFlip).rmse, 0.25);
 }
 
-TEST(CompareImages, LinearLeavesFlipOutAndKeepsPeakOne) {
+TEST(CompareImages, LinearKeepsPeakOne) {
   const ImageError error = compareImages(flat(10.0F), flat(12.0F), {.hdr = true});
   EXPECT_DOUBLE_EQ(error.rmse, 2.0);
   EXPECT_NEAR(error.psnrDb.value(), -6.0206, 1e-4);
-  EXPECT_FALSE(error.flip);
+  EXPECT_TRUE(error.flip.has_value());
 }
 
 TEST(CompareImages, RefusesOtherSizesAndValuesThatAreNotFinite) {
@@ -109,8 +109,9 @@ TEST(ToDisplay, ClampsAndEncodesButNotAlpha) {
 
 TEST(ImageErrorJson, NullForWhatDoesNotApply) {
   EXPECT_EQ(toJson(ImageError{}).dump(), R"({"flip":null,"max":0.0,"psnr_db":null,"rmse":0.0})");
-  EXPECT_EQ(toJson(ImageError{0.5, 6.0, 1.0, 0.25}).dump(),
+  EXPECT_EQ(toJson(ImageError{0.5, 6.0, 1.0, 0.25, {}}).dump(),
             R"({"flip":0.25,"max":1.0,"psnr_db":6.0,"rmse":0.5})");
+  EXPECT_EQ(toJson(ImageError{0.5, 6.0, 1.0, 0.25, 0.125})["flip_gaze"], 0.125);
 }
 
 class CompareFilesTest : public testing::Test {

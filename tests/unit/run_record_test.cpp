@@ -17,7 +17,7 @@ FrameRecord frame(double ms, double rmse, std::uint64_t lost) {
   f.gazeAgeSeconds = std::numeric_limits<double>::infinity();
   f.gazeState = "none";
   f.fragments = FragmentNumbers{10 + lost, 10, 0, lost};
-  f.error = ImageError{rmse, std::nullopt, 2.0 * rmse, 0.5 * rmse};
+  f.error = ImageError{rmse, std::nullopt, 2.0 * rmse, 0.5 * rmse, 0.25 * rmse};
   return f;
 }
 
@@ -33,6 +33,10 @@ TEST(RunRecord, WhatDoesNotApplyIsNull) {
   EXPECT_TRUE(json["frames"][0]["fragments"]["generated"].is_null());
   EXPECT_TRUE(json["frames"][0]["k"]["mean"].is_null());
   EXPECT_TRUE(json["frames"][0]["error"]["flip"].is_null());
+  EXPECT_TRUE(json["frames"][0]["error"]["flip_gaze"].is_null());
+  EXPECT_TRUE(json["frames"][0]["flicker"].is_null());
+  EXPECT_TRUE(json["summary"]["flicker"].is_null());
+  EXPECT_TRUE(json["bytes"]["buffers"].empty());
   EXPECT_TRUE(json["summary"]["error"]["rmse"].is_null());
   EXPECT_TRUE(toJson(RunRecord{})["summary"]["ms"]["median"].is_null());
 }
@@ -46,6 +50,30 @@ TEST(RunRecord, PlacesAndAgesThatDoNotExistAreNull) {
   EXPECT_TRUE(gaze["age_s"].is_null());
 }
 
+TEST(RunRecord, FlickerIsOverAllFramesButTheFirst) {
+  RunRecord run;
+  run.frames = {frame(1, 0, 0), frame(1, 0, 0), frame(1, 0, 0)};
+  run.frames[1].flicker = 0.25;
+  run.frames[2].flicker = 0.5;
+  const auto json = toJson(run);
+  EXPECT_TRUE(json["frames"][0]["flicker"].is_null());
+  EXPECT_EQ(json["frames"][2]["flicker"], 0.5);
+  EXPECT_EQ(json["summary"]["flicker"], 0.375);
+}
+
+TEST(RunRecord, AMeanOfSomeFramesIsNone) {
+  RunRecord run;
+  run.frames = {frame(1, 0.1, 0), frame(1, 0.1, 0)};
+  run.frames[1].error->flip.reset();
+  EXPECT_TRUE(toJson(run)["summary"]["error"]["flip"].is_null());
+}
+
+TEST(RunRecord, BuffersByName) {
+  RunRecord run;
+  run.transparencyBytes = {{"fragment keys", 64}, {"fragment range", 8}};
+  EXPECT_EQ(toJson(run)["bytes"]["buffers"].dump(), R"({"fragment keys":64,"fragment range":8})");
+}
+
 TEST(RunRecord, SummaryIsOverAllFrames) {
   RunRecord run;
   run.frames = {frame(10, 0.3, 1), frame(30, 0.4, 2), frame(20, 0.0, 0)};
@@ -56,6 +84,7 @@ TEST(RunRecord, SummaryIsOverAllFrames) {
   EXPECT_NEAR(summary["error"]["psnr_db"].get<double>(), 10.7918, 1e-4);
   EXPECT_EQ(summary["error"]["max"], 0.8);
   EXPECT_NEAR(summary["error"]["flip"].get<double>(), 0.35 / 3.0, 1e-12);
+  EXPECT_NEAR(summary["error"]["flip_gaze"].get<double>(), 0.175 / 3.0, 1e-12);
   EXPECT_EQ(summary["fragments"]["generated"], 33);
   EXPECT_EQ(summary["fragments"]["lost"], 3);
 }

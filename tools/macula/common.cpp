@@ -28,6 +28,20 @@ glm::ivec2 parseSize(const std::string& text) {
   return size;
 }
 
+glm::vec2 parsePlace(const std::string& option, const std::string& text) {
+  glm::vec2 place{0.0F};
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, place.x);
+  const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
+  const auto second = comma ? std::from_chars(first.ptr + 1, end, place.y) : first;
+  const auto inside = [](float v) { return v >= 0.0F && v <= 1.0F; };
+  if (!comma || second.ec != std::errc{} || second.ptr != end || !inside(place.x) ||
+      !inside(place.y)) {
+    failInput("{}: '{}' is no place; give X,Y, both from 0 to 1, as 0.5,0.25", option, text);
+  }
+  return place;
+}
+
 LoadedScene loadForRendering(const std::string& nameOrPath,
                              const passes::RenderSettings& settings) {
   const auto begin = std::chrono::steady_clock::now();

@@ -19,6 +19,9 @@ namespace macula::tools {
 /// "1024x768". @throws InputError naming the option; sides from 1 to 16384
 [[nodiscard]] glm::ivec2 parseSize(const std::string& text);
 
+/// "0.3,0.7", both from 0 to 1. @throws InputError naming the option, for example "--probe"
+[[nodiscard]] glm::vec2 parsePlace(const std::string& option, const std::string& text);
+
 /// A scene as the renderer wants it: with default lights where the file has none.
 struct LoadedScene {
   scene::Scene scene;

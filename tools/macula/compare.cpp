@@ -15,22 +15,40 @@ struct Options {
   std::string reference;
   std::string test;
   std::string json;
+  std::string gaze;
+  std::string maps;
   measure::CompareOptions compare;
 };
 
-std::string shown(const std::optional<double>& value) {
-  return value ? fmt::format("{:.6f}", *value) : "-";
+void print(const measure::ImageError& error) {
+  fmt::print("rmse       {:.6f}\npsnr_db    {}\nmax        {:.6f}\nflip       {:.6f}\n", error.rmse,
+             error.psnrDb ? fmt::format("{:.2f}", *error.psnrDb) : "- (identical)", error.max,
+             error.flip.value());
+  if (error.flipGaze) fmt::print("flip_gaze  {:.6f}\n", *error.flipGaze);
 }
 
 void run(const Options& options) {
-  const measure::ImageError error =
-      measure::compareFiles(options.reference, options.test, options.compare);
-  if (options.json != "-") {
-    fmt::print("rmse     {:.6f}\npsnr_db  {}\nmax      {:.6f}\nflip     {}\n", error.rmse,
-               error.psnrDb ? fmt::format("{:.2f}", *error.psnrDb) : "- (identical)", error.max,
-               shown(error.flip));
+  measure::CompareOptions compare = options.compare;
+  if (!options.gaze.empty()) compare.gaze = parsePlace("--gaze", options.gaze);
+  const bool quiet = options.json == "-";
+  if (options.maps.empty()) {
+    const auto error = measure::compareFiles(options.reference, options.test, compare);
+    if (!quiet) print(error);
+    writeJson(options.json, measure::toJson(error));
+    return;
   }
-  writeJson(options.json, measure::toJson(error));
+  const auto [error, maps] =
+      measure::compareFilesToMaps(options.reference, options.test, options.maps, compare);
+  if (!quiet) {
+    print(error);
+    fmt::print("{}: absolute differences times {}\n{}: FLIP 0..1 from black to light yellow\n",
+               maps.difference.string(), maps.differenceScale, maps.flip.string());
+  }
+  nlohmann::json json = measure::toJson(error);
+  json["maps"] = {{"difference", maps.difference.string()},
+                  {"difference_scale", maps.differenceScale},
+                  {"flip", maps.flip.string()}};
+  writeJson(options.json, json);
 }
 
 }  // namespace
@@ -40,11 +58,15 @@ void addCompare(CLI::App& root) {
   CLI::App* command = root.add_subcommand("compare", "Errors between two images of one size");
   command->add_option("reference", options->reference, "PNG, EXR or HDR")->required();
   command->add_option("test", options->test, "PNG, EXR or HDR")->required();
-  command->add_flag("--hdr", options->compare.hdr, "Compare linear values");
+  command->add_flag("--hdr", options->compare.hdr, "Compare linear values; FLIP is HDR-FLIP");
   command
       ->add_option("--pixels-per-degree", options->compare.pixelsPerDegree,
-                   "Of FLIP (default 67.0206)")
+                   "Of FLIP and eccentricity (default 67.0206)")
       ->check(CLI::Range(1.0, 1000.0));
+  command->add_option("--gaze", options->gaze,
+                      "X,Y (0..1 from the top left): also FLIP weighted by acuity around it");
+  command->add_option("--maps", options->maps, "Write PREFIX_difference.png and PREFIX_flip.png")
+      ->type_name("PREFIX");
   addJsonOption(*command, options->json);
   command->callback([options] { run(*options); });
 }

@@ -14,6 +14,7 @@
 #include "engine/core/sha256.h"
 #include "engine/gaze/source.h"
 #include "engine/image/image.h"
+#include "engine/measure/flicker.h"
 #include "engine/measure/image_error.h"
 #include "engine/measure/run_record.h"
 #include "macula_version.h"
@@ -113,16 +114,28 @@ void describeRun(measure::RunRecord& run, const ReplayOptions& options,
   run.budgetBytes = renderer.plan().budgetBytes;
   run.overheadBytes = bytes.overhead;
   run.gbufferBytes = bytes.gbuffer;
+  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
+    const auto resource = static_cast<frame::Resource>(i);
+    const frame::ByteClass kind = frame::infoOf(resource).bytes;
+    if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
+    const std::uint64_t own = renderer.resources().bytesOf(resource);
+    if (own > 0) run.transparencyBytes.emplace_back(frame::nameOf(resource), own);
+  }
 }
 
-measure::ImageError errorBetween(const Painter& reference, const Painter& test,
-                                 const ReplayOptions& options) {
+/// Fills in what compares a frame with its reference.
+void compareWithReference(measure::FrameRecord& record, const Painter& reference,
+                          const Painter& test, const ReplayOptions& options,
+                          measure::FlickerMeter& flicker) {
   measure::CompareOptions compare;
   compare.hdr = options.hdr;
-  if (options.pixelsPerDegree > 0.0) compare.pixelsPerDegree = options.pixelsPerDegree;
-  if (options.hdr) return measure::compareImages(reference.linear(), test.linear(), compare);
-  return measure::compareImages(measure::toDisplay(reference.linear()),
-                                measure::toDisplay(test.linear()), compare);
+  compare.pixelsPerDegree = options.pixelsPerDegree;
+  compare.gaze = glm::dvec2(record.gazeX, record.gazeY);
+  const image::ImageF wanted = measure::toDisplay(reference.linear());
+  const image::ImageF got = measure::toDisplay(test.linear());
+  record.error = options.hdr ? measure::compareImages(reference.linear(), test.linear(), compare)
+                             : measure::compareImages(wanted, got, compare);
+  record.flicker = flicker.next(wanted, got);
 }
 
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
@@ -171,6 +184,7 @@ void replay(const ReplayOptions& options) {
     noteFirstFrame();
   }
 
+  measure::FlickerMeter flicker;
   ProgressBar progress("replay", options.frames);
   double previous = 0.0;
   for (int i = 0; i < options.frames; ++i) {
@@ -188,7 +202,7 @@ void replay(const ReplayOptions& options) {
     if (reference) {
       reference->draw(camera, point.position, cut);
       reference->readBack();
-      record.error = errorBetween(*reference, painter, options);
+      compareWithReference(record, *reference, painter, options, flicker);
       if (!options.images.empty()) reference->write(options.out, "reference", i, options.images);
     }
     run.frames.push_back(std::move(record));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/measure/flip.h"
 #include "engine/settings/registry.h"
 #include "passes/render_settings.h"
 
@@ -26,7 +27,7 @@ struct ReplayOptions {
   double fps = 60.0;
   double latencyMs = 0.0;
   int warmup = 3;
-  double pixelsPerDegree = 0.0;  ///< 0: the default of FLIP
+  double pixelsPerDegree = measure::kDefaultPixelsPerDegree;  ///< of FLIP and eccentricity
   passes::RenderSettings settings;
   settings::Registry registry;
 };

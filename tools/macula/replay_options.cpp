@@ -23,14 +23,16 @@ void addReplay(CLI::App& root) {
       ->check(CLI::IsMember({"png", "exr"}));
   command->add_flag("--reference", o->reference,
                     "Draw ab-sbuffer beside each frame and report errors");
-  command->add_flag("--hdr", o->hdr, "Errors on linear values");
+  command->add_flag("--hdr", o->hdr, "Errors on linear values, HDR-FLIP");
   command->add_option("--fps", o->fps, "Frame i is at i / fps (default 60)")
       ->check(CLI::Range(0.001, 100000.0));
   command->add_option("--gaze-latency-ms", o->latencyMs, "A frame knows gaze this much older")
       ->check(CLI::Range(0.0, 10000.0));
   command->add_option("--warmup", o->warmup, "Frames before frame 0, not reported (default 3)")
       ->check(CLI::Range(0, 1000));
-  command->add_option("--pixels-per-degree", o->pixelsPerDegree, "Of FLIP (default 67.0206)")
+  command
+      ->add_option("--pixels-per-degree", o->pixelsPerDegree,
+                   "Of FLIP and eccentricity (default 67.0206)")
       ->check(CLI::Range(1.0, 1000.0));
   addPlatformOption(*command, o->platform);
   addJsonOption(*command, o->json);

@@ -1,28 +1,11 @@
 #include "walk_report.h"
 
 #include <algorithm>
-#include <charconv>
-
-#include "engine/core/error.h"
 
 namespace macula::tools {
 
 using frame::Resource;
 using nlohmann::ordered_json;
-
-glm::vec2 parseProbe(const std::string& text) {
-  glm::vec2 place{0.0F};
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, place.x);
-  const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
-  const auto second = comma ? std::from_chars(first.ptr + 1, end, place.y) : first;
-  const auto inside = [](float v) { return v >= 0.0F && v <= 1.0F; };
-  if (!comma || second.ec != std::errc{} || second.ptr != end || !inside(place.x) ||
-      !inside(place.y)) {
-    failInput("--probe: '{}' is no place; give X,Y, both from 0 to 1, as 0.5,0.25", text);
-  }
-  return place;
-}
 
 std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 place,
                             int samplesPerAxis) {

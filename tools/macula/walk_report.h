@@ -12,9 +12,6 @@
 
 namespace macula::tools {
 
-/// "0.3,0.7". @throws InputError naming --probe; both from 0 to 1
-[[nodiscard]] glm::vec2 parseProbe(const std::string& text);
-
 /// Mean k(p) over a square of up to 64 x 64 pixels around a place of the last frame, cut off at the
 /// image's edges; none where the method stores no fragments.
 /// @param place 0..1 of the window from the top left

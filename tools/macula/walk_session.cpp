@@ -167,7 +167,7 @@ void WalkSession::finish() {
 void walk(WalkOptions& options) {
   const glm::ivec2 size = parseSize(options.size);
   std::vector<glm::vec2> probes;
-  for (const std::string& probe : options.probes) probes.push_back(parseProbe(probe));
+  for (const std::string& probe : options.probes) probes.push_back(parsePlace("--probe", probe));
   window::Window window({.width = size.x,
                          .height = size.y,
                          .title = fmt::format("Macula: loading {}", oneLine(options.scene))});
