@@ -13,6 +13,13 @@ constexpr std::int64_t kSubPixels = 256;
 // coordinates stay within 64 bits.
 constexpr float kFarthestCorner = 64.0F;
 
+/// An edge function of a triangle (Pineda 1988): at least zero on the inner side.
+struct Edge {
+  std::int64_t row = 0;  ///< at the first pixel of the present row
+  std::int64_t stepX = 0;
+  std::int64_t stepY = 0;
+};
+
 std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
@@ -74,23 +81,39 @@ void DepthCounter::drawTriangle(const Primitive& mesh, std::size_t first) {
   const std::int64_t x1 = std::min<std::int64_t>(floorDivide(maxX, kSubPixels), last);
   const std::int64_t y0 = std::max<std::int64_t>(floorDivide(minY, kSubPixels), 0);
   const std::int64_t y1 = std::min<std::int64_t>(floorDivide(maxY, kSubPixels), last);
+  // Edge functions at the first pixel centre and their steps from pixel to pixel; less one where a
+  // centre on the edge belongs to the neighbour, so that inside means no value is below zero.
+  std::array<Edge, 3> edges;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Corner& a = c[e];
+    const Corner& b = c[(e + 1) % 3];
+    const std::int64_t px = x0 * kSubPixels + kSubPixels / 2;
+    const std::int64_t py = y0 * kSubPixels + kSubPixels / 2;
+    const bool topLeft = (a.y == b.y && b.x > a.x) || b.y < a.y;
+    edges[e].row = (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x) - (topLeft ? 0 : 1);
+    edges[e].stepX = -(b.y - a.y) * kSubPixels;
+    edges[e].stepY = (b.x - a.x) * kSubPixels;
+  }
   for (std::int64_t y = y0; y <= y1; ++y) {
+    std::int64_t e0 = edges[0].row;
+    std::int64_t e1 = edges[1].row;
+    std::int64_t e2 = edges[2].row;
+    bool entered = false;
     for (std::int64_t x = x0; x <= x1; ++x) {
-      const std::int64_t px = x * kSubPixels + kSubPixels / 2;
-      const std::int64_t py = y * kSubPixels + kSubPixels / 2;
-      bool inside = true;
-      for (std::size_t e = 0; e < 3 && inside; ++e) {
-        const Corner& a = c[e];
-        const Corner& b = c[(e + 1) % 3];
-        const std::int64_t side = (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x);
-        const bool topLeft = (a.y == b.y && b.x > a.x) || b.y < a.y;
-        inside = side > 0 || (side == 0 && topLeft);
+      const bool inside = (e0 | e1 | e2) >= 0;  // no sign bit in any of them
+      e0 += edges[0].stepX;
+      e1 += edges[1].stepX;
+      e2 += edges[2].stepX;
+      if (!inside) {
+        if (entered) break;  // a triangle is convex: its row is one run
+        continue;
       }
-      if (!inside) continue;
+      entered = true;
       const auto pixel = static_cast<std::size_t>(y * size_ + x);
       ++counts_[pixel];
       drawn_.push_back(pixel);
     }
+    for (Edge& edge : edges) edge.row += edge.stepY;
   }
 }
 
