@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace macula::scene {
@@ -37,9 +38,8 @@ DepthCounter::DepthCounter(const Camera& camera, float tanHalfFov, int size)
   up_ = glm::cross(right_, forward_);
 }
 
-bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, int limit) {
+void DepthCounter::project(const Primitive& mesh, const glm::mat4& transform) {
   corners_.clear();
-  drawn_.clear();
   const float half = 0.5F * static_cast<float>(size_);
   const float farthest = kFarthestCorner * static_cast<float>(size_);
   const auto snap = [&](float pixels) {
@@ -54,10 +54,28 @@ bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, 
       corner.visible = true;
       corner.x = snap(half + glm::dot(v, right_) / depth * pixelsPerUnit_);
       corner.y = snap(half - glm::dot(v, up_) / depth * pixelsPerUnit_);
+      corner.nearness = 1.0F / depth;
     }
     corners_.push_back(corner);
   }
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) drawTriangle(mesh, i);
+}
+
+void DepthCounter::occlude(const Primitive& mesh, const glm::mat4& transform) {
+  if (occluder_.empty()) occluder_.assign(counts_.size(), 0.0F);
+  project(mesh, transform);
+  draw(mesh, [&](std::size_t pixel, float nearness) {
+    occluder_[pixel] = std::max(occluder_[pixel], nearness);
+  });
+}
+
+bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, int limit) {
+  drawn_.clear();
+  project(mesh, transform);
+  draw(mesh, [&](std::size_t pixel, float nearness) {
+    if (!occluder_.empty() && nearness <= occluder_[pixel]) return;
+    ++counts_[pixel];
+    drawn_.push_back(pixel);
+  });
   const bool fits = std::all_of(drawn_.begin(), drawn_.end(),
                                 [&](std::size_t pixel) { return counts_[pixel] <= limit; });
   if (!fits) {
@@ -66,14 +84,23 @@ bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, 
   return fits;
 }
 
-void DepthCounter::drawTriangle(const Primitive& mesh, std::size_t first) {
-  std::array<Corner, 3> c;
-  for (std::size_t i = 0; i < 3; ++i) c[i] = corners_[mesh.indices[first + i]];
-  if (!c[0].visible || !c[1].visible || !c[2].visible) return;
+template <typename Visit>
+void DepthCounter::draw(const Primitive& mesh, const Visit& visit) const {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    std::array<Corner, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) c[k] = corners_[mesh.indices[i + k]];
+    if (c[0].visible && c[1].visible && c[2].visible) drawTriangle(c, visit);
+  }
+}
+
+template <typename Visit>
+void DepthCounter::drawTriangle(const std::array<Corner, 3>& corners, const Visit& visit) const {
+  std::array<Corner, 3> c = corners;
   const std::int64_t area =
       (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
   if (area == 0) return;
   if (area < 0) std::swap(c[1], c[2]);  // now clockwise on the screen, where y points down
+  const float perArea = 1.0F / static_cast<float>(std::abs(area));
   const auto [minX, maxX] = std::minmax({c[0].x, c[1].x, c[2].x});
   const auto [minY, maxY] = std::minmax({c[0].y, c[1].y, c[2].y});
   const std::int64_t last = size_ - 1;
@@ -101,6 +128,10 @@ void DepthCounter::drawTriangle(const Primitive& mesh, std::size_t first) {
     bool entered = false;
     for (std::int64_t x = x0; x <= x1; ++x) {
       const bool inside = (e0 | e1 | e2) >= 0;  // no sign bit in any of them
+      // Each edge function is the weight of the corner across from it.
+      const float nearness = c[2].nearness * static_cast<float>(e0) * perArea +
+                             c[0].nearness * static_cast<float>(e1) * perArea +
+                             c[1].nearness * static_cast<float>(e2) * perArea;
       e0 += edges[0].stepX;
       e1 += edges[1].stepX;
       e2 += edges[2].stepX;
@@ -109,9 +140,7 @@ void DepthCounter::drawTriangle(const Primitive& mesh, std::size_t first) {
         continue;
       }
       entered = true;
-      const auto pixel = static_cast<std::size_t>(y * size_ + x);
-      ++counts_[pixel];
-      drawn_.push_back(pixel);
+      visit(static_cast<std::size_t>(y * size_ + x), nearness);
     }
     for (Edge& edge : edges) edge.row += edge.stepY;
   }
