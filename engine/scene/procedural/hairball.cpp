@@ -15,7 +15,7 @@
 namespace macula::scene {
 namespace {
 
-constexpr int kDepthLimit = 180;  // maximum depth of the hairball scene of Vasilakis 2017, Table 2
+constexpr int kDepthLimit = 180;     // the depth that the scene promises
 constexpr int kCountingSize = 1024;  // pixels; the size at which the depth is promised
 constexpr float kTanHalfFov = 0.3F;
 const glm::vec3 kCenter{0.0F, 1.12F, 0.0F};  // of the ball, metres
