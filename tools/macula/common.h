@@ -19,7 +19,11 @@ namespace macula::tools {
 /// "1024x768". @throws InputError naming the option; sides from 1 to 16384
 [[nodiscard]] glm::ivec2 parseSize(const std::string& text);
 
-/// A scene as the renderer wants it: with default lights where the file has none.
+/// Makes a scene as the renderer wants it: lit as scene.lighting says, with default lights where
+/// it has none, drawn as scene.order says.
+void prepareForRendering(scene::Scene& scene, const passes::RenderSettings& settings);
+
+/// A scene after prepareForRendering().
 struct LoadedScene {
   scene::Scene scene;
   std::optional<scene::Environment> environment;
