@@ -111,6 +111,13 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                 .unit = "linear R,G,B",
                 .help = "where nothing is drawn"},
                s.background, {.min = 0.0, .max = 10000.0});
+  registry.addChoice(
+      {.key = "scene.lighting",
+       .help = "transparent surfaces as the scene says, unlit, or lit by four lights"},
+      s.lighting, {"own", "unlit", "four"});
+  registry.addChoice({.key = "scene.order",
+                      .help = "in which transparent triangles are drawn, from the first camera"},
+                     s.order, {"file", "near-first", "far-first", "random"});
   registry.add({.key = "frame.seed", .alias = "seed", .help = "of noise and procedural scenes"},
                s.seed, {.min = 0.0, .max = 2147483647.0});
   registry.add({.key = "shadow.size", .unit = "texels a side", .help = "of the shadow map"},

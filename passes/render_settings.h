@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "engine/scene/draw_order.h"
+#include "engine/scene/lighting_override.h"
 #include "engine/settings/registry.h"
 #include "passes/heatmap_pass.h"
 #include "passes/oit/plan.h"
@@ -22,7 +24,9 @@ struct RenderSettings {
   HeatmapPass::Settings heatmap;
   std::filesystem::path environment;  ///< equirectangular panorama; empty: none
   glm::vec3 background{0.0F};         ///< linear RGB
-  std::uint32_t seed = 1;             ///< of noise and procedural scenes
+  scene::LightingOverride lighting = scene::LightingOverride::Own;
+  scene::TransparentOrder order = scene::TransparentOrder::File;
+  std::uint32_t seed = 1;  ///< of noise and procedural scenes
 };
 
 /// The same view by the exact method, without what belongs to others: what errors are against.

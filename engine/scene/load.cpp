@@ -27,6 +27,10 @@ constexpr Recipe kRecipes[] = {
      makeGallery},
     {"smoke", "a plume of unlit smoke, at most 16 layers deep", makeSmoke},
     {"bottles", "rows of lit glass bottles, at most 22 layers deep", makeBottles},
+    {"hair", "a head with hair and beard of thin lit strands, at most 92 layers deep", makeHair},
+    {"greenhouse", "glass, pots and translucent plants in tiers, at most 106 layers deep",
+     makeGreenhouse},
+    {"hairball", "a ball of thin lit strands, at most 180 layers deep", makeHairball},
 };
 
 /// The N of "layers-N".

@@ -26,6 +26,7 @@ gl::Defines bidDefines(const OitPlan& plan) {
                        : predictor == Predictor::Transmittance     ? "BID_TRANSMITTANCE"
                                                                    : "BID_ERROR",
                        "1");
+  if (plan.slices()) defines.emplace_back("SLICES", std::to_string(plan.importance.slices));
   return defines;
 }
 

@@ -10,17 +10,18 @@ layout(binding = TEX_INPUT1) uniform sampler2D opaqueColor;
 layout(location = 0) uniform vec2 gazeSettings;  // periphery (d of Eq. 4), weight of the gaze
 #endif
 
-Bidder bidderAt(ivec2 p, uint n) {
+/// Slots that the pixel of n fragments takes at these prices (log2).
+Bids bidAt(ivec2 p, uint n, vec4 prices[BID_VECTORS]) {
 #if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
   float weight = 1.0;
   if (gazeSettings.y > 0.0) {
     float seen = peripheryFactor(vec2(p) + 0.5, ImportanceSettings(0.0, gazeSettings.x, 0.0, 1.0));
     weight = mix(1.0, seen * seen, gazeSettings.y);
   }
-  return makeBidder(p, n, texelFetch(opaqueColor, p, 0).rgb, weight);
+  return bid(p, n, prices, texelFetch(opaqueColor, p, 0).rgb, weight);
 #elif defined(BID_IMPORTANCE)
-  return makeBidder(n, float(imageLoad(importance, p).r) / float(IMPORTANCE_ONE));
+  return bid(n, prices, float(imageLoad(importance, p).r) / float(IMPORTANCE_ONE));
 #else
-  return makeBidder(n, 1.0);
+  return bid(n, prices, 1.0);
 #endif
 }

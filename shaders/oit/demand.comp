@@ -4,6 +4,7 @@
 layout(local_size_x = STRIP_GROUP) in;
 
 #include "lib/frame.glsl"
+#define BID_VECTORS 1
 #include "lib/bidder_inputs.glsl"
 
 layout(r32ui, binding = IMG_0) writeonly uniform uimage2D slotBids;
@@ -17,15 +18,16 @@ void main() {
   if (first.x >= int(frame.size.x)) return;
   int end = min(first.x + STRIP, int(frame.size.x));
   PriceBounds bounds = priceBounds(PRICE_ROUNDS, frame.oit.y, pixelsPerSample());
+  vec4 prices[1] = vec4[](vec4(bounds.high + PRICE_MARGIN, bounds.low - PRICE_MARGIN, 0.0, 0.0));
   uvec4 sum = uvec4(0u);
   for (ivec2 p = first; p.x < end; ++p.x) {
     uint n = min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS);
     uint bids = 0u;
     if (n > 0u) {
-      Bidder b = bidderAt(p, n);
-      uint high = slotsAt(b, bounds.high + PRICE_MARGIN);
-      uint low = max(high, slotsAt(b, bounds.low - PRICE_MARGIN));
-      sum += uvec4(b.least, high, low, n);
+      uvec4 taken = uvec4(bidAt(p, n, prices).slots[0]);
+      uint high = taken.x;
+      uint low = max(high, taken.y);
+      sum += uvec4(min(n, LEAST_SLOTS), high, low, n);
       bids = high | (low << 16);
     }
     imageStore(slotBids, p, uvec4(bids));

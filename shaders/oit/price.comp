@@ -5,6 +5,7 @@
 layout(local_size_x = STRIP_GROUP) in;
 
 #include "lib/frame.glsl"
+#define BID_VECTORS PRICE_VECTORS
 #include "lib/bidder_inputs.glsl"
 
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
@@ -16,7 +17,12 @@ void main() {
   int first = int(gl_GlobalInvocationID.x) * STRIP;
   int end = min(first + STRIP, width);
   PriceBounds bounds = priceBounds(ROUND, frame.oit.y, pixelsPerSample());
-  uvec4 demand[PRICE_VECTORS] = uvec4[](uvec4(0u), uvec4(0u));
+  vec4 prices[PRICE_VECTORS];
+  uvec4 demand[PRICE_VECTORS];
+  for (int v = 0; v < PRICE_VECTORS; ++v) {
+    for (int i = 0; i < 4; ++i) prices[v][i] = candidatePrice(bounds, 4 * v + i);
+    demand[v] = uvec4(0u);
+  }
   uint covered = 0u;
   for (int x = first; x < end; ++x) {
     // A place in the cell that changes from cell to cell, so that no pattern of the scene is met.
@@ -27,13 +33,11 @@ void main() {
     uint n = uint(texelFetch(fragmentCount, p, 0).r);
     if (n == 0u) continue;
     ++covered;
-    Bidder b = bidderAt(p, n);
-    for (int i = 0; i < PRICE_CANDIDATES; ++i) {
-      demand[i / 4][i % 4] += slotsAt(b, candidatePrice(bounds, i));
-    }
+    Bids bids = bidAt(p, n, prices);
+    for (int v = 0; v < PRICE_VECTORS; ++v) demand[v] += uvec4(bids.slots[v]);
   }
   if (covered == 0u) return;
-  for (int i = 0; i < PRICE_CANDIDATES; ++i) {
-    atomicAdd(totals.priceDemand[ROUND * PRICE_VECTORS + i / 4][i % 4], demand[i / 4][i % 4]);
+  for (int v = 0; v < PRICE_VECTORS; ++v) {
+    for (int i = 0; i < 4; ++i) atomicAdd(totals.priceDemand[ROUND * PRICE_VECTORS + v][i], demand[v][i]);
   }
 }

@@ -3,11 +3,12 @@
 #define MACULA_SHARED_OIT_TOTALS_H
 #include "shared/cpp_glsl.h"
 
-// The search for the price of a slot: rounds, and candidates (two vectors) in each.
-#define PRICE_ROUNDS 3
-#define PRICE_VECTORS 2
-#define PRICE_CANDIDATES 8
-#define PRICE_VECTORS_IN_ALL 6
+// The search for the price of a slot: rounds, and candidates (four to a vector) in each. Two rounds
+// of 16 tell prices apart by 44 octaves / 17^2, some 10 %.
+#define PRICE_ROUNDS 2
+#define PRICE_VECTORS 4
+#define PRICE_CANDIDATES 16
+#define PRICE_VECTORS_IN_ALL 8
 
 // Bins of the histogram of counts; a deeper pixel counts as this deep.
 #define COUNT_BINS 1024

@@ -26,6 +26,8 @@ struct PlainView {
   glm::dvec3 position, right, up, forward;
   double tanHalf, nearPlane;
   int width, height;
+  /// Only these pixels are drawn: first column and row, and one past the last.
+  int x0 = 0, y0 = 0, x1, y1;
 
   PlainView(const Camera& camera, int w, int h)
       : position(camera.position),
@@ -33,7 +35,9 @@ struct PlainView {
         tanHalf(std::tan(0.5 * static_cast<double>(camera.verticalFov))),
         nearPlane(static_cast<double>(camera.nearPlane)),
         width(w),
-        height(h) {
+        height(h),
+        x1(w),
+        y1(h) {
     right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
     up = glm::cross(right, forward);
   }
@@ -82,13 +86,13 @@ void drawTriangle(const PlainView& view, const std::array<ClipVertex, 3>& corner
   const double area = cross(p[1] - p[0], p[2] - p[0]);
   // y points down here, so that counter-clockwise in the world is a negative area.
   if (area == 0.0 || (area > 0.0 && !twoSided)) return;
-  const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
-  const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});
+  const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
   const auto pixel = [](double v, int last) {
     return static_cast<int>(std::clamp(std::floor(v), -1.0, static_cast<double>(last)));
   };
-  for (int y = std::max(0, pixel(y0, view.height)); y <= pixel(y1, view.height - 1); ++y) {
-    for (int x = std::max(0, pixel(x0, view.width)); x <= pixel(x1, view.width - 1); ++x) {
+  for (int y = std::max(view.y0, pixel(top, view.y1)); y <= pixel(bottom, view.y1 - 1); ++y) {
+    for (int x = std::max(view.x0, pixel(left, view.x1)); x <= pixel(right, view.x1 - 1); ++x) {
       const glm::dvec2 c{x + 0.5, y + 0.5};
       const glm::dvec3 w = glm::dvec3(cross(p[2] - p[1], c - p[1]), cross(p[0] - p[2], c - p[2]),
                                       cross(p[1] - p[0], c - p[0])) /
@@ -141,10 +145,12 @@ struct DepthCounts {
   int maximum = 0;
   std::uint64_t total = 0;
   std::uint64_t covered = 0;  ///< pixels with at least one
+  int deepestX = 0;           ///< the first pixel of `maximum`, rows from the top
+  int deepestY = 0;
 };
 
-inline DepthCounts countTransparent(const Scene& scene, const Camera& camera, int size) {
-  const PlainView view(camera, size, size);
+inline DepthCounts countTransparent(const Scene& scene, const PlainView& view) {
+  const int size = view.width;
   const auto at = [size](const Hit& hit) { return static_cast<std::size_t>(hit.y * size + hit.x); };
   const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   std::vector<double> opaque(pixels, std::numeric_limits<double>::infinity());
@@ -160,12 +166,21 @@ inline DepthCounts countTransparent(const Scene& scene, const Camera& camera, in
         if (hit.depth < opaque[at(hit)]) ++counts[at(hit)];
       });
   DepthCounts result;
-  for (const int count : counts) {
-    result.maximum = std::max(result.maximum, count);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const int count = counts[i];
+    if (count > result.maximum) {
+      result.maximum = count;
+      result.deepestX = static_cast<int>(i) % size;
+      result.deepestY = static_cast<int>(i) / size;
+    }
     result.total += static_cast<std::uint64_t>(count);
     result.covered += count > 0 ? 1U : 0U;
   }
   return result;
+}
+
+inline DepthCounts countTransparent(const Scene& scene, const Camera& camera, int size) {
+  return countTransparent(scene, PlainView(camera, size, size));
 }
 
 }  // namespace macula::scene::plain

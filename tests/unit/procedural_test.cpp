@@ -157,6 +157,39 @@ TEST(DepthCounter, CountsBothSidesAndKeepsTheLimit) {
   EXPECT_TRUE(counter.addWithin(square, place({0, 0, 5}), 1)) << "behind the camera";
 }
 
+TEST(DepthCounter, LeavesOutWhatLiesBehindAnOccluder) {
+  Camera camera;
+  camera.target = {0, 0, -1};
+  const auto square = [](float z) {
+    Primitive mesh;
+    addQuad(mesh, {-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z});
+    return mesh;
+  };
+  DepthCounter counter(camera, 1.0F, 64);
+  counter.occlude(square(-2.0F), glm::mat4(1.0F));
+  EXPECT_TRUE(counter.addWithin(square(-2.1F), glm::mat4(1.0F), 0)) << "hidden";
+  EXPECT_FALSE(counter.addWithin(square(-1.9F), glm::mat4(1.0F), 0)) << "in front";
+  // At -4 the occluder hides all of the square; at its side, nothing.
+  EXPECT_TRUE(counter.addWithin(square(-4.0F), glm::mat4(1.0F), 0));
+  EXPECT_FALSE(counter.addWithin(square(-4.0F), place({2, 0, 0}), 0));
+}
+
+TEST(DepthCounter, OccludersHideByTheDepthOfEachPixel) {
+  Camera camera;
+  camera.target = {0, 0, -1};
+  // The floor of a corridor: 1 m below the eye, from 1.1 to 10 m ahead.
+  Primitive floor;
+  addQuad(floor, {-20, -1, -1.1F}, {20, -1, -1.1F}, {20, -1, -10}, {-20, -1, -10});
+  Primitive below;  // upright, its top 1 cm under the floor
+  addQuad(below, {-1, -1.5F, -5}, {1, -1.5F, -5}, {1, -1.01F, -5}, {-1, -1.01F, -5});
+  Primitive above;
+  addQuad(above, {-1, -0.99F, -5}, {1, -0.99F, -5}, {1, -0.5F, -5}, {-1, -0.5F, -5});
+  DepthCounter counter(camera, 1.0F, 256);
+  counter.occlude(floor, glm::mat4(1.0F));
+  EXPECT_TRUE(counter.addWithin(below, glm::mat4(1.0F), 0));
+  EXPECT_FALSE(counter.addWithin(above, glm::mat4(1.0F), 0));
+}
+
 TEST(Layers, ColourAndAlphaFollowTheFormula) {
   EXPECT_FLOAT_EQ(layerColor(1, 5).r, 0.37F);
   EXPECT_FLOAT_EQ(layerColor(1, 5).g, 53.0F / 102.0F);
@@ -275,7 +308,9 @@ TEST_P(Recipe, IsSoundAndRepeatable) {
   EXPECT_LE(std::count_if(scene.lights.begin(), scene.lights.end(), casts), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Recipe, testing::Values("layers-5", "smoke", "bottles", "gallery"),
+INSTANTIATE_TEST_SUITE_P(All, Recipe,
+                         testing::Values("layers-5", "smoke", "bottles", "hair", "greenhouse",
+                                         "hairball", "gallery"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -42,12 +42,18 @@ glm::vec2 parsePlace(const std::string& option, const std::string& text) {
   return place;
 }
 
+void prepareForRendering(scene::Scene& scene, const passes::RenderSettings& settings) {
+  scene::overrideLighting(scene, settings.lighting);
+  scene::addDefaultLights(scene);
+  scene::orderTransparent(scene, settings.order, settings.seed);
+}
+
 LoadedScene loadForRendering(const std::string& nameOrPath,
                              const passes::RenderSettings& settings) {
   const auto begin = std::chrono::steady_clock::now();
   LoadedScene loaded;
   loaded.scene = scene::loadScene(nameOrPath, settings.seed);
-  scene::addDefaultLights(loaded.scene);
+  prepareForRendering(loaded.scene, settings);
   if (!settings.environment.empty()) {
     const image::ImageF image = image::readHdr(settings.environment);
     scene::Panorama panorama{image.width, image.height, {}};

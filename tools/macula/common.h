@@ -22,7 +22,11 @@ namespace macula::tools {
 /// "0.3,0.7", both from 0 to 1. @throws InputError naming the option, for example "--probe"
 [[nodiscard]] glm::vec2 parsePlace(const std::string& option, const std::string& text);
 
-/// A scene as the renderer wants it: with default lights where the file has none.
+/// Makes a scene as the renderer wants it: lit as scene.lighting says, with default lights where
+/// it has none, drawn as scene.order says.
+void prepareForRendering(scene::Scene& scene, const passes::RenderSettings& settings);
+
+/// A scene after prepareForRendering().
 struct LoadedScene {
   scene::Scene scene;
   std::optional<scene::Environment> environment;

@@ -39,7 +39,7 @@ void info(Options& options, const CLI::App& command) {
   settings::applyOptions(command, options.registry);
   scene::Scene loaded = scene::loadScene(options.name, options.settings.seed);
   const scene::SceneInfo facts = scene::describe(loaded);
-  scene::addDefaultLights(loaded);
+  prepareForRendering(loaded, options.settings);
   const passes::OitPlan plan{.method = &passes::methodById(options.settings.oit.method)};
   const frame::FrameList frame = passes::makeFrameList(options.settings, plan);
   const auto report =

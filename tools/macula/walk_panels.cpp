@@ -137,8 +137,8 @@ WalkPanels::WalkPanels(settings::Registry& registry, const passes::RenderSetting
                        std::string sceneName)
     : renderSettings_(settings),
       sceneName_(std::move(sceneName)),
-      // These two go into the scene while it is loaded.
-      panel_(registry, {"scene.environment", "frame.seed"}) {}
+      // These go into the scene while it is loaded.
+      panel_(registry, {"scene.environment", "scene.lighting", "scene.order", "frame.seed"}) {}
 
 void WalkPanels::add(const passes::FrameResult& result) {
   std::vector<ui::TimeRow> rows;

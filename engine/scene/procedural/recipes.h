@@ -39,6 +39,18 @@ inline constexpr int kMaxLayers = 4096;
 /// its camera at 1024 x 1024 at most 22 glass surfaces lie behind one another.
 [[nodiscard]] Scene makeBottles(std::uint64_t seed);
 
+/// A comic head whose lit hair and beard are thin semi-transparent strands. From its camera at
+/// 1024 x 1024 at most 92 strands lie behind one another.
+[[nodiscard]] Scene makeHair(std::uint64_t seed);
+
+/// A greenhouse: panes, benches in tiers, pots and plants whose leaves let light through, all lit.
+/// From its camera at 1024 x 1024 at most 106 transparent surfaces lie behind one another.
+[[nodiscard]] Scene makeGreenhouse(std::uint64_t seed);
+
+/// A ball of thin lit strands, semi-transparent, wound loosely around its centre. From its camera at
+/// 1024 x 1024 at most 180 strands lie behind one another.
+[[nodiscard]] Scene makeHairball(std::uint64_t seed);
+
 /// A furnished hall of several hundred thousand triangles to walk in, with glass, smoke and
 /// plants: the default scene.
 [[nodiscard]] Scene makeGallery(std::uint64_t seed);
