@@ -199,8 +199,8 @@ void FrameRenderer::uploadConstants() {
   c.background = glm::vec4(settings_.background, 1.0F);
   c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
   c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize), 0U);
-  const glm::vec2 range = inputs_.gpu->transparentDistances(inputs_.view.camera);
-  c.slices = glm::vec4(range, plan_.importance.slices, plan_.importance.tile);
+  c.slices = glm::vec4(inputs_.view.camera.nearPlane, inputs_.view.camera.farPlane,
+                       plan_.importance.slices, plan_.importance.tile);
   c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
   constants_.upload(&c, sizeof(c));
   glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_.id());

@@ -12,6 +12,7 @@ enum class Blend : std::uint8_t {
   Add,            ///< glBlendFunc(ONE, ONE)
   Premultiplied,  ///< glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA)
   Max,            ///< glBlendEquation(MAX)
+  AddThenMax,     ///< target 0 adds, target 1 takes the maximum
 };
 
 struct RenderState {

@@ -15,18 +15,27 @@ bool CountPass::wanted() const {
 void CountPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::Depth, Use::DepthTarget);
   d.writes(Resource::FragmentCount, Use::ColorTarget);
+  if (plan_.findsRange()) d.writes(Resource::DepthRange, Use::ColorTarget);
 }
 
 void CountPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {},
-                    programs);
+  gl::Defines defines{{"POSITION_ONLY", "1"}};
+  if (plan_.findsRange()) defines.emplace_back("RANGE", "1");
+  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", defines, {}, programs);
 }
 
 void CountPass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::FragmentCount}, Resource::Depth);
-  gl::apply({.depthTest = true, .blend = gl::Blend::Add});
   constexpr GLfloat kNone[4]{};
+  if (plan_.findsRange()) {
+    context.bindTargets({Resource::FragmentCount, Resource::DepthRange}, Resource::Depth);
+    gl::apply({.depthTest = true, .blend = gl::Blend::AddThenMax});
+    constexpr GLfloat kNoDepth[4]{-2.0F, -2.0F, 0.0F, 0.0F};  // less than any
+    glClearBufferfv(GL_COLOR, 1, kNoDepth);
+  } else {
+    context.bindTargets({Resource::FragmentCount}, Resource::Depth);
+    gl::apply({.depthTest = true, .blend = gl::Blend::Add});
+  }
   glClearBufferfv(GL_COLOR, 0, kNone);
   variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
 }

@@ -70,6 +70,8 @@ struct OitPlan {
     return method->allocation == Allocation::ImportanceMap &&
            options.importance != Predictor::Published;
   }
+  /// The nearest and farthest depth of each pixel are found with its count.
+  [[nodiscard]] bool findsRange() const { return slices(); }
   [[nodiscard]] bool culls() const { return options.cull == Cull::Occupancy; }
 };
 

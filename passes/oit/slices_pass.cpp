@@ -15,6 +15,7 @@ bool SlicesPass::wanted() const {
 void SlicesPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::Depth, plan_.importance.tile > 1 ? Use::Texture : Use::DepthTarget);
   if (plan_.importance.tile > 1) d.uses(Resource::TileDepth, Use::DepthTarget);
+  d.reads(Resource::DepthRange, Use::Texture);
   d.writes(Resource::SliceSums, Use::Storage);
 }
 
@@ -51,6 +52,7 @@ void SlicesPass::execute(frame::PassContext& context) {
   context.bindTargets({}, tiled ? Resource::TileDepth : Resource::Depth);
   gl::apply({.depthTest = true});
   gpu.bindLights();
+  context.bindTexture(TEX_INPUT1, Resource::DepthRange);
   context.bindStorage(SSBO_SLICES, Resource::SliceSums);
   variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
 }

@@ -7,19 +7,33 @@ layout(early_fragment_tests) in;
 #define APPROXIMATE
 #include "lib/transparent.glsl"
 
+layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
 layout(std430, binding = SSBO_SLICES) buffer Slices { uvec4 slices[]; };
+
+/// Along the view axis, of a reversed depth.
+float viewDistance(float depth) {
+  float nearPlane = frame.slices.x;
+  float farPlane = frame.slices.y;
+  return nearPlane * farPlane / (nearPlane + depth * (farPlane - nearPlane));
+}
 
 void main() {
   vec4 c = approximateTransparent();
   float alpha = clamp(c.a, 0.0, 1.0);
   float tau = min(opticalDepth(alpha), SLICE_MAX_DEPTH);
   vec3 color = clamp(c.rgb / max(alpha, 1e-6), vec3(0.0), vec3(SLICE_MAX_COLOR));
-  // Equal ratios of distance, as perspective crowds what is far.
-  float x = log2(distance(inPosition, frame.eye.xyz) / frame.slices.x) /
-            log2(frame.slices.y / frame.slices.x);
   int tile = int(frame.slices.w);
   uint count = uint(frame.slices.z);
-  uint at = sliceBase(ivec2(gl_FragCoord.xy) * tile) + min(uint(max(x, 0.0) * float(count)), count - 1u);
+  ivec2 first = ivec2(gl_FragCoord.xy) * tile;
+  vec2 range = texelFetch(depthRange, first, 0).rg;
+  for (int i = 1; i < tile * tile; ++i) {
+    ivec2 p = min(first + ivec2(i % tile, i / tile), ivec2(frame.size.xy) - 1);
+    range = max(range, texelFetch(depthRange, p, 0).rg);
+  }
+  float nearest = viewDistance(range.x);
+  float x = (viewDistance(gl_FragCoord.z) - nearest) / max(viewDistance(-range.y) - nearest, 1e-6);
+  uint slice = min(uint(clamp(x, 0.0, 1.0) * float(count)), count - 1u);
+  uint at = sliceBase(first) + slice;
   uvec4 words = encodeSlice(tau, color);
 #ifdef SYNC_ORDERED
   slices[at] += words;
