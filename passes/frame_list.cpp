@@ -9,9 +9,11 @@
 #include "passes/oit/blend_pass.h"
 #include "passes/oit/capture_pass.h"
 #include "passes/oit/count_pass.h"
+#include "passes/oit/cull_depth_pass.h"
 #include "passes/oit/demand_pass.h"
 #include "passes/oit/histogram_pass.h"
 #include "passes/oit/importance_pass.h"
+#include "passes/oit/occupancy_pass.h"
 #include "passes/oit/one_k_pass.h"
 #include "passes/oit/peel_pass.h"
 #include "passes/oit/prefix_pass.h"
@@ -56,6 +58,8 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<PrefixPass>(plan, false));
   passes.push_back(std::make_unique<PrefixPass>(plan, true));
   passes.push_back(std::make_unique<SharePass>(plan));
+  passes.push_back(std::make_unique<OccupancyPass>(plan));
+  passes.push_back(std::make_unique<CullDepthPass>(plan));
   passes.push_back(std::make_unique<AtomicKeysPass>(plan));
   passes.push_back(std::make_unique<RoutedPass>(plan));
   passes.push_back(std::make_unique<CapturePass>(plan));

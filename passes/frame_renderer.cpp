@@ -179,6 +179,9 @@ void FrameRenderer::prepare() {
       Resource::StripSums,
       (area({(size.x + STRIP - 1) / STRIP, size.y}) + static_cast<std::size_t>(size.y)) *
           kVectorBytes);
+  resources_.setBufferBytes(Resource::Occupancy, area(size) *
+                                                     static_cast<std::size_t>(plan_.options.cullWords) *
+                                                     sizeof(std::uint32_t));
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
@@ -198,7 +201,8 @@ void FrameRenderer::uploadConstants() {
   c.gaze = glm::vec4(inputs_.gaze.x * size.x, (1.0F - inputs_.gaze.y) * size.y, 0.0F, 0.0F);
   c.background = glm::vec4(settings_.background, 1.0F);
   c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
-  c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize), 0U);
+  c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize),
+                     plan_.options.cullWords);
   c.slices = glm::vec4(inputs_.view.camera.nearPlane, inputs_.view.camera.farPlane,
                        plan_.importance.slices, plan_.importance.tile);
   c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;

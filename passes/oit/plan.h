@@ -71,7 +71,7 @@ struct OitPlan {
            options.importance != Predictor::Published;
   }
   /// The nearest and farthest depth of each pixel are found with its count.
-  [[nodiscard]] bool findsRange() const { return slices(); }
+  [[nodiscard]] bool findsRange() const { return slices() || culls(); }
   [[nodiscard]] bool culls() const { return options.cull == Cull::Occupancy; }
 };
 

@@ -13,7 +13,8 @@ struct FrameConstants {
   vec4 background;  // linear rgb
   uvec4 frame;      // x: frame index, y: 1 where history is valid, z: seed
   uvec4 oit;        // x: slots of a pixel where they are constant, y: slots of the pool, z: stride
-                    // of the pixels in which the price of a slot is searched for
+                    // of the pixels in which the price of a slot is searched for, w: words of a
+                    // pixel's occupancy map
   vec4 slices;      // near plane, far plane; z: depth slices, w: samples a side that share them
   mat4 reprojection;  // clip space of this frame to that of the last
 };
