@@ -169,10 +169,14 @@ Scene makeGreenhouse(std::uint64_t seed) {
   camera.verticalFov = 2.0F * std::atan(kTanHalfFov);
   camera.farPlane = 60.0F;
   builder.camera(camera);
+  const Camera view = camera;
+  // A small circle in the aisle, so that an orbit looks across to all sides.
   camera.name = "orbit";
+  camera.position = {0.0F, 1.6F, -1.6F};
+  camera.target = {0.0F, 1.5F, -2.0F};
   builder.camera(camera);
 
-  Gardener gardener(builder, camera);
+  Gardener gardener(builder, view);
   gardener.noteOpaque(addHouse(builder, seed));
   gardener.note(addPanes(builder, seed));
   hangBaskets(builder, gardener, seed);

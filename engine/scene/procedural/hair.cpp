@@ -157,10 +157,14 @@ void growMane(Barber& barber) {
     const float outwards = root.position.x < 0.0F ? -1.0F : 1.0F;
     const float length = random.range(0.35F, 0.95F);
     const glm::vec3 lift = root.position + root.normal * random.range(0.12F, 0.30F);
-    const glm::vec3 end{outwards * random.range(0.28F, 0.62F), root.position.y - length,
-                        -random.range(0.15F, 0.55F)};
-    const glm::vec3 fall{outwards * random.range(0.42F, 0.62F), root.position.y - 0.25F * length,
-                         -random.range(0.25F, 0.6F)};
+    // At the sides it stands off the head; at the back it hangs straight down.
+    const bool back = fromFront > 0.36F;
+    const float asideEnd = back ? 1.15F * root.position.x : outwards * random.range(0.28F, 0.62F);
+    const float asideFall = back ? 1.3F * root.position.x : outwards * random.range(0.42F, 0.62F);
+    const float behind = back ? 0.25F : 0.0F;
+    const glm::vec3 end{asideEnd, root.position.y - length, -random.range(0.15F, 0.55F) - behind};
+    const glm::vec3 fall{asideFall, root.position.y - 0.25F * length,
+                         -random.range(0.25F, 0.6F) - behind};
     const std::array<Curve, 1> curves{Curve{root.position, lift, fall, end}};
     barber.grow(curves, 14, 0.03F, hairColor(random, 0.16F));
   }
@@ -230,7 +234,7 @@ Scene makeHair(std::uint64_t seed) {
 
   builder.light(sun({-0.5F, -0.65F, -0.6F}, {1.0F, 0.95F, 0.87F}, 2.8F));
   builder.light(pointLight({-1.8F, 1.7F, 1.2F}, {0.5F, 0.68F, 1.0F}, 2.5F, 8.0F));
-  builder.light(pointLight({1.1F, 2.0F, -0.9F}, {1.0F, 0.7F, 0.45F}, 1.8F, 8.0F));
+  builder.light(pointLight({1.7F, 2.3F, -1.2F}, {1.0F, 0.7F, 0.45F}, 3.2F, 8.0F));
   builder.light(
       spotLight({0.3F, 3.6F, 1.6F}, {0.0F, 1.2F, 0.2F}, {1.0F, 0.98F, 0.94F}, 6.0F, 0.4F));
   builder.ambient({0.15F, 0.16F, 0.18F});
