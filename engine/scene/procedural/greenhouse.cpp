@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -108,19 +107,19 @@ void fillTiers(SceneBuilder& builder, Gardener& gardener, std::uint64_t seed) {
         const float x = side * tier.x + random.range(-0.07F, 0.07F);
         const float z =
             kFirstPlant - kStep * static_cast<float>(column) + random.range(-0.07F, 0.07F);
-        const glm::vec3 place0{x, tier.height + kFootGap, z};
+        const glm::vec3 foot{x, tier.height + kFootGap, z};
         const std::uint32_t pot = any(pots);
         const std::uint32_t plant = any(plants);
         const float turn = random.unit();
         const float scale = random.range(1.15F, 1.7F);
         const bool covered = random.below(9) == 0;
         if (pot < kClayPots) {
-          gardener.setOpaque(pots[pot], place(place0, turn));
-        } else if (!gardener.set(pots[pot], place(place0, turn))) {
+          gardener.setOpaque(pots[pot], place(foot, turn));
+        } else if (!gardener.set(pots[pot], place(foot, turn))) {
           continue;
         }
-        gardener.set(plants[plant], place(place0 + glm::vec3(0.0F, kPotHeight, 0.0F), turn, scale));
-        if (covered) gardener.set(jar, place(place0, 0.0F, 1.1F));
+        gardener.set(plants[plant], place(foot + glm::vec3(0.0F, kPotHeight, 0.0F), turn, scale));
+        if (covered) gardener.set(jar, place(foot, 0.0F, 1.1F));
       }
     }
   }
@@ -169,10 +168,14 @@ Scene makeGreenhouse(std::uint64_t seed) {
   camera.verticalFov = 2.0F * std::atan(kTanHalfFov);
   camera.farPlane = 60.0F;
   builder.camera(camera);
+  const Camera view = camera;
+  // A small circle in the aisle, so that an orbit looks across to all sides.
   camera.name = "orbit";
+  camera.position = {0.0F, 1.6F, -1.6F};
+  camera.target = {0.0F, 1.5F, -2.0F};
   builder.camera(camera);
 
-  Gardener gardener(builder, camera);
+  Gardener gardener(builder, view);
   gardener.noteOpaque(addHouse(builder, seed));
   gardener.note(addPanes(builder, seed));
   hangBaskets(builder, gardener, seed);

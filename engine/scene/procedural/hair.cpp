@@ -21,10 +21,10 @@ constexpr int kCountingSize = 1024;  // pixels; the size at which the depth is p
 constexpr float kTanHalfFov = 0.3F;
 // Strands tried; those that would exceed the limit are left out.
 constexpr int kBeard = 2300;
-constexpr int kMane = 3000;
+constexpr int kMane = 3100;
 constexpr int kWhiskers = 420;
 constexpr int kBrows = 260;
-constexpr float kThickness = 0.0021F;  // half the width of a strand, metres
+constexpr float kThickness = 0.0019F;  // half the width of a strand, metres
 
 /// A cubic curve (Bezier).
 struct Curve {
@@ -78,6 +78,7 @@ class Barber {
             {curves[k].at(t) + across * swing, side, thickness * (1.0F - 0.7F * along * along)});
       }
     }
+    if (!carrySides()) return;
     Primitive strand;
     addRibbon(strand, points_, glm::vec4(color, alpha));
     if (counter_.addWithin(strand, glm::mat4(1.0F), kDepthLimit)) {
@@ -88,6 +89,21 @@ class Barber {
   [[nodiscard]] Primitive takeHair() { return std::move(hair_); }
 
  private:
+  /// Carries the side of the first point along the path, turning it no more than the path turns.
+  /// @return whether the path turns nowhere by more than a ribbon can follow
+  [[nodiscard]] bool carrySides() {
+    constexpr float kLeastCosine = 0.5F;  // between successive pieces: 60 degrees
+    glm::vec3 before(0.0F);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const glm::vec3 piece = glm::normalize(points_[i].center - points_[i - 1].center);
+      if (i > 1 && glm::dot(before, piece) < kLeastCosine) return false;
+      const glm::vec3& side = points_[i - 1].side;
+      points_[i].side = glm::normalize(side - piece * glm::dot(side, piece));
+      before = piece;
+    }
+    return true;
+  }
+
   DepthCounter counter_;
   Random random_;
   Primitive hair_;
@@ -141,10 +157,14 @@ void growMane(Barber& barber) {
     const float outwards = root.position.x < 0.0F ? -1.0F : 1.0F;
     const float length = random.range(0.35F, 0.95F);
     const glm::vec3 lift = root.position + root.normal * random.range(0.12F, 0.30F);
-    const glm::vec3 end{outwards * random.range(0.28F, 0.62F), root.position.y - length,
-                        -random.range(0.15F, 0.55F)};
-    const glm::vec3 fall{outwards * random.range(0.42F, 0.62F), root.position.y - 0.25F * length,
-                         -random.range(0.25F, 0.6F)};
+    // At the sides it stands off the head; at the back it hangs straight down.
+    const bool back = fromFront > 0.36F;
+    const float asideEnd = back ? 1.15F * root.position.x : outwards * random.range(0.28F, 0.62F);
+    const float asideFall = back ? 1.3F * root.position.x : outwards * random.range(0.42F, 0.62F);
+    const float behind = back ? 0.25F : 0.0F;
+    const glm::vec3 end{asideEnd, root.position.y - length, -random.range(0.15F, 0.55F) - behind};
+    const glm::vec3 fall{asideFall, root.position.y - 0.25F * length,
+                         -random.range(0.25F, 0.6F) - behind};
     const std::array<Curve, 1> curves{Curve{root.position, lift, fall, end}};
     barber.grow(curves, 14, 0.03F, hairColor(random, 0.16F));
   }
@@ -214,7 +234,7 @@ Scene makeHair(std::uint64_t seed) {
 
   builder.light(sun({-0.5F, -0.65F, -0.6F}, {1.0F, 0.95F, 0.87F}, 2.8F));
   builder.light(pointLight({-1.8F, 1.7F, 1.2F}, {0.5F, 0.68F, 1.0F}, 2.5F, 8.0F));
-  builder.light(pointLight({1.1F, 2.0F, -0.9F}, {1.0F, 0.7F, 0.45F}, 1.8F, 8.0F));
+  builder.light(pointLight({1.7F, 2.3F, -1.2F}, {1.0F, 0.7F, 0.45F}, 3.2F, 8.0F));
   builder.light(
       spotLight({0.3F, 3.6F, 1.6F}, {0.0F, 1.2F, 0.2F}, {1.0F, 0.98F, 0.94F}, 6.0F, 0.4F));
   builder.ambient({0.15F, 0.16F, 0.18F});

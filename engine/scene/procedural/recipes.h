@@ -47,8 +47,8 @@ inline constexpr int kMaxLayers = 4096;
 /// From its camera at 1024 x 1024 at most 106 transparent surfaces lie behind one another.
 [[nodiscard]] Scene makeGreenhouse(std::uint64_t seed);
 
-/// A ball of thin lit strands, semi-transparent, wound loosely around its centre. From its camera at
-/// 1024 x 1024 at most 180 strands lie behind one another.
+/// A ball of thin lit strands, semi-transparent, wound loosely around its centre. From its camera
+/// at 1024 x 1024 at most 180 strands lie behind one another.
 [[nodiscard]] Scene makeHairball(std::uint64_t seed);
 
 /// A furnished hall of several hundred thousand triangles to walk in, with glass, smoke and
