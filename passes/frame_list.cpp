@@ -16,6 +16,7 @@
 #include "passes/oit/occupancy_pass.h"
 #include "passes/oit/one_k_pass.h"
 #include "passes/oit/peel_pass.h"
+#include "passes/oit/predict_pass.h"
 #include "passes/oit/prefix_pass.h"
 #include "passes/oit/price_pass.h"
 #include "passes/oit/reserve_pass.h"
@@ -45,6 +46,7 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<WeightedResolvePass>(plan));
   passes.push_back(std::make_unique<PeelPass>(plan));
   passes.push_back(std::make_unique<CountPass>(plan));
+  passes.push_back(std::make_unique<PredictPass>(plan));
   passes.push_back(std::make_unique<ImportancePass>(plan));
   passes.push_back(std::make_unique<ReservePass>(plan));
   passes.push_back(std::make_unique<HistogramPass>(plan));

@@ -20,6 +20,7 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::HdrColor, "HDR colour", GL_RGBA16F, Display, B::Other, C::Background},
     // 32-bit, because 16-bit floats stop counting at 2,048.
     {R::FragmentCount, "fragment count", GL_R32F, Display, B::Overhead, C::Zero},
+    {R::PredictedCount, "predicted count", GL_R32F, Display, B::Overhead, C::Never},
     {R::FrontNormal, "front normal", GL_RGBA8_SNORM, Display, B::Overhead, C::Zero},
     {R::Importance, "importance", GL_R32UI, Display, B::Overhead, C::Zero},
     {R::ImportanceFactors, "importance factors", GL_RGBA16F, Display, B::Overhead, C::Zero},

@@ -19,6 +19,7 @@ enum class Resource : std::uint8_t {
   Emissive,           ///< linear emitted radiance
   HdrColor,           ///< linear radiance of the image so far
   FragmentCount,      ///< transparent fragments per pixel that pass opaque depth
+  PredictedCount,     ///< the same as the last frame lets expect
   FrontNormal,        ///< normal of the nearest transparent fragment; kept as history
   Importance,         ///< importance of each pixel, fixed point, 1/65536 per unit
   ImportanceFactors,  ///< periphery, depth complexity, Fresnel, total; for heat maps only

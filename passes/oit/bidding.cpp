@@ -8,7 +8,7 @@ using frame::Resource;
 using frame::Use;
 
 void declareBids(frame::PassDeclaration& d, const OitPlan& plan) {
-  d.reads(Resource::FragmentCount, Use::Texture);
+  d.reads(plan.countResource(), Use::Texture);
   if (plan.mapsImportance()) d.reads(Resource::Importance, Use::Image);
   if (plan.slices()) {
     d.reads(Resource::SliceSums, Use::Storage);
@@ -31,7 +31,7 @@ gl::Defines bidDefines(const OitPlan& plan) {
 }
 
 void bindBids(const frame::PassContext& context, const OitPlan& plan) {
-  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindTexture(TEX_INPUT0, plan.countResource());
   if (plan.mapsImportance()) context.bindImage(IMG_2, Resource::Importance, GL_READ_ONLY);
   if (plan.slices()) {
     context.bindStorage(SSBO_SLICES, Resource::SliceSums);

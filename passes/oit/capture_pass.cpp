@@ -32,6 +32,7 @@ void CapturePass::declareWork(frame::PassDeclaration& d) const {
   }
   if (insertion == Insertion::Linked) d.writes(Resource::FragmentLinks, Use::Storage);
   if (plan_.denseTail()) d.writes(Resource::TailSums, Use::ColorTarget);
+  if (plan_.predictsCounts()) d.writes(Resource::FragmentCount, Use::ColorTarget);
   d.modifies(Resource::OitTotals, Use::Storage);
 }
 
@@ -41,6 +42,7 @@ void CapturePass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
     for (auto& define : syncDefines(plan_)) defines.push_back(define);
   }
   if (plan_.keepsFrontNormal()) defines.emplace_back("FRONT_NORMAL", "1");
+  if (plan_.predictsCounts()) defines.emplace_back("COUNT_OUT", "1");
   for (auto& define : lightingDefines(in.facts)) defines.push_back(define);
   std::vector<std::string> extensions;
   if (plan_.sync == SyncMode::Interlock && plan_.sorted()) {
@@ -53,8 +55,8 @@ void CapturePass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   const Insertion insertion = plan_.method->insertion;
   const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
-  if (plan_.denseTail()) {
-    context.bindTargets({Resource::TailSums}, depth);
+  if (plan_.denseTail() || plan_.predictsCounts()) {
+    context.bindTargets({plan_.denseTail() ? Resource::TailSums : Resource::FragmentCount}, depth);
     gl::apply({.depthTest = true, .blend = gl::Blend::Add});
     constexpr GLfloat kNone[4]{};
     glClearBufferfv(GL_COLOR, 0, kNone);

@@ -9,7 +9,7 @@ using frame::Resource;
 using frame::Use;
 
 bool CountPass::wanted() const {
-  return plan_.method->counts() || plan_.culls();
+  return (plan_.method->counts() && !plan_.predictsCounts()) || plan_.culls();
 }
 
 void CountPass::declareWork(frame::PassDeclaration& d) const {

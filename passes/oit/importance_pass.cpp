@@ -12,7 +12,7 @@ bool ImportancePass::wanted() const {
 }
 
 void ImportancePass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::FragmentCount, Use::Texture);
+  d.reads(plan_.countResource(), Use::Texture);
   d.readsHistory(Resource::FrontNormal, Use::Texture);
   d.writes(Resource::Importance, Use::Image);
   if (plan_.factorMaps) d.writes(Resource::ImportanceFactors, Use::Image);
@@ -31,7 +31,7 @@ void ImportancePass::execute(frame::PassContext& context) {
   glUniform4f(0, static_cast<float>(s.rangeBias), static_cast<float>(s.periphery),
               static_cast<float>(s.noise), plan_.layerLimit);
   glUniform1ui(1, plan_.seed + (s.noisePerFrame ? context.inputs().frameIndex : 0U));
-  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindTexture(TEX_INPUT0, plan_.countResource());
   context.bindTexture(TEX_INPUT1, Resource::FrontNormal);
   context.bindImage(IMG_0, Resource::Importance, GL_WRITE_ONLY);
   if (plan_.factorMaps) context.bindImage(IMG_1, Resource::ImportanceFactors, GL_WRITE_ONLY);

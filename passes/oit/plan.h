@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/frame/resource.h"
 #include "engine/gl/program.h"
 #include "passes/oit/methods.h"
 #include "passes/oit/settings.h"
@@ -31,7 +32,6 @@ struct OitPlan {
   std::uint32_t seed = 1;
   bool factorMaps = false;          ///< importance factors are shown
   std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
-  bool countsDrawn = true;          ///< false: this frame goes by the last one's counts
 
   [[nodiscard]] bool sorted() const { return method->insertion == Insertion::Sorted; }
   /// Whether each pixel has a spin lock.
@@ -69,6 +69,10 @@ struct OitPlan {
   [[nodiscard]] bool slices() const {
     return method->allocation == Allocation::ImportanceMap &&
            options.importance != Predictor::Published;
+  }
+  /// Where slots are shared out by.
+  [[nodiscard]] frame::Resource countResource() const {
+    return predictsCounts() ? frame::Resource::PredictedCount : frame::Resource::FragmentCount;
   }
   /// The nearest and farthest depth of each pixel are found with its count.
   [[nodiscard]] bool findsRange() const { return slices() || culls(); }

@@ -13,7 +13,7 @@ bool SharePass::wanted() const {
 }
 
 void SharePass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::FragmentCount, Use::Texture);
+  d.reads(plan_.countResource(), Use::Texture);
   d.consumes(Resource::SlotBids, Use::Image);
   d.consumes(Resource::StripSums, Use::Storage);
   d.reads(Resource::OitTotals, Use::Storage);
@@ -29,7 +29,7 @@ void SharePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& prog
 
 void SharePass::execute(frame::PassContext& context) {
   glUseProgram(program_);
-  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindTexture(TEX_INPUT0, plan_.countResource());
   context.bindImage(IMG_2, Resource::SlotBids, GL_READ_ONLY);
   bindHandOut(context, plan_);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);

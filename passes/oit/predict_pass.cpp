@@ -1,0 +1,54 @@
+#include "passes/oit/predict_pass.h"
+
+#include "engine/gl/render_state.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+
+using frame::Resource;
+using frame::Use;
+
+bool PredictPass::wanted() const {
+  return plan_.predictsCounts();
+}
+
+void PredictPass::declareWork(frame::PassDeclaration& d) const {
+  d.reads(Resource::Depth, Use::Texture);
+  d.readsHistory(Resource::FragmentCount, Use::Texture);
+  d.readsHistory(Resource::FragmentRange, Use::Texture);
+  d.readsHistory(Resource::FragmentFill, Use::Texture);
+  d.readsHistory(Resource::FragmentKeys, Use::Storage);
+  d.writes(Resource::PredictedCount, Use::Image);
+}
+
+void PredictPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
+  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {},
+                    programs);
+  program_ = programs.get({{"oit/predict.comp"}, {}, {}});
+}
+
+void PredictPass::drawCounts(frame::PassContext& context) {
+  const scene::GpuScene& gpu = *context.inputs().gpu;
+  context.bindTargets({Resource::PredictedCount}, Resource::Depth);
+  gl::apply({.depthTest = true, .blend = gl::Blend::Add});
+  constexpr GLfloat kNone[4]{};
+  glClearBufferfv(GL_COLOR, 0, kNone);
+  variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
+}
+
+void PredictPass::execute(frame::PassContext& context) {
+  if (!context.inputs().historyValid) {
+    drawCounts(context);
+    return;
+  }
+  glUseProgram(program_);
+  context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
+  context.bindTexture(TEX_INPUT1, Resource::FragmentRange);
+  context.bindTexture(TEX_INPUT2, Resource::FragmentFill);
+  context.bindTexture(TEX_INPUT3, Resource::Depth);
+  context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
+  context.bindImage(IMG_0, Resource::PredictedCount, GL_WRITE_ONLY);
+  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
+}
+
+}  // namespace macula::passes
