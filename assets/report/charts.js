@@ -72,9 +72,10 @@ function logRange(values) {
   return [10 ** (low - margin), 10 ** (high + margin)];
 }
 
-// 1, 2 and 5 of each power of ten; only the powers where the range is long.
+// Every digit of a power of ten in short ranges; 1, 2 and 5, or 1 alone, in long ones.
 function logTicks(low, high) {
-  const steps = Math.log10(high / low) > 2.5 ? [1] : [1, 2, 5];
+  const decades = Math.log10(high / low);
+  const steps = decades > 2.5 ? [1] : decades > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
   const ticks = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
     for (const step of steps) {

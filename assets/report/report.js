@@ -114,13 +114,19 @@ function numbersOf(point) {
   return lines;
 }
 
-// Zero has no place on a logarithmic axis: exact images stand below all others, hollow.
+// Zero has no place on a logarithmic axis: exact images stand below all others, and what needs no
+// memory left of them, hollow.
 function chartPoints(points, x) {
-  const errors = points.map(view.metric.of).filter(e => e !== null && e > 0);
-  const floor = errors.length > 0 ? Math.min(...errors) / 4 : 1e-4;
-  return points.filter(p => x(p) > 0 && view.metric.of(p) !== null).map(p => ({
-    key: p.key, x: x(p), y: view.metric.of(p) || floor, zero: view.metric.of(p) === 0,
-    label: titleOf(p) + (view.metric.of(p) === 0 ? ' (exact)' : ''), colour: colourOf(p.variant),
+  const y = view.metric.of;
+  const floorOf = (of, step, otherwise) => {
+    const positive = points.map(of).filter(v => v !== null && v > 0);
+    return positive.length > 0 ? Math.min(...positive) / step : otherwise;
+  };
+  const floorX = floorOf(x, 1.5, 1);
+  const floorY = floorOf(y, 4, 1e-4);
+  return points.filter(p => x(p) !== null && y(p) !== null).map(p => ({
+    key: p.key, x: x(p) || floorX, y: y(p) || floorY, zero: x(p) === 0 || y(p) === 0,
+    label: titleOf(p) + (y(p) === 0 ? ' (exact)' : '') + (x(p) === 0 ? ' (0)' : ''), colour: colourOf(p.variant),
     text: numbersOf(p).join('\n'), open: () => openViewer(p),
   }));
 }
@@ -223,7 +229,8 @@ function openViewer(point) {
   set('.difference', 'difference');
   viewer.querySelector('.pictures figcaption').textContent = images.difference
     ? `Difference from the exact picture, times ${data.difference_scale}` : 'No exact picture here';
-  viewer.querySelector('.files').textContent = `Full size: ${Object.values(images).join(', ')}`;
+  viewer.querySelector('.files').replaceChildren('Full size: ', ...Object.entries(images).flatMap(([role, file], i) =>
+    [...(i > 0 ? [', '] : []), element('a', {href: encodeURI(file)}, role)]));
   moveDivider(50);
   if (viewer.showModal && !viewer.open) viewer.showModal();
 }

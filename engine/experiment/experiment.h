@@ -69,8 +69,9 @@ struct Study {
   std::vector<std::string> lights;    ///< values of scene.lighting
   std::vector<std::string> variants;  ///< ids
   std::vector<Budget> budgets;
-  /// Variants that take turns; each list is a group of its own. Empty: all in one group.
+  /// Variants that take turns; see expand(). Complete: every variant stands in one list.
   std::vector<std::vector<std::string>> compare;
+  bool comparesByList = false;  ///< the experiment names the lists
   std::string camera = "auto";
   std::string gaze = "center";
   int frames = 9;  ///< measured rounds

@@ -162,14 +162,18 @@ Experiment parseExperiment(const std::string& text, const std::string& name) {
   Study defaults;
   defaults.place = reader.place();
   readStudyKeys(reader, defaults);
-  for (const toml::table* variant : reader.tables("variant")) {
+  const auto variantTables = reader.tables("variant");
+  const auto studyTables = reader.tables("study");
+  const auto targetTables = reader.tables("target");
+  reader.finish();  // before anything is found missing that was only misspelt
+  for (const toml::table* variant : variantTables) {
     experiment.variants.push_back(readVariant(*variant, name));
   }
   if (experiment.variants.empty()) {
     failInput("{}: no variants; add [[variant]] with an id and settings", reader.place());
   }
   requireUniqueIds(experiment.variants, "variant");
-  for (const toml::table* study : reader.tables("study")) {
+  for (const toml::table* study : studyTables) {
     experiment.studies.push_back(readStudy(*study, name, defaults));
   }
   if (experiment.studies.empty()) {
@@ -181,10 +185,16 @@ Experiment parseExperiment(const std::string& text, const std::string& name) {
   for (Study& study : experiment.studies) completeStudy(study, experiment.variants);
   std::vector<std::string> variants;
   for (const Variant& variant : experiment.variants) variants.push_back(variant.id);
-  for (const toml::table* target : reader.tables("target")) {
-    experiment.targets.push_back(readTarget(*target, name, variants, studies));
+  std::vector<std::string> scenes;
+  for (const Study& study : experiment.studies) {
+    scenes.insert(scenes.end(), study.scenes.begin(), study.scenes.end());
   }
-  reader.finish();
+  for (const toml::table* target : targetTables) {
+    experiment.targets.push_back(readTarget(*target, name, variants, studies));
+    for (const std::string& scene : experiment.targets.back().scenes) {
+      requireKnown(scene, scenes, "scene", TableReader(*target, name).place("scenes"));
+    }
+  }
   return experiment;
 }
 

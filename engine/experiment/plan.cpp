@@ -70,7 +70,24 @@ bool appliesTo(const Budget& budget, const std::string& scene) {
          std::find(budget.scenes.begin(), budget.scenes.end(), scene) != budget.scenes.end();
 }
 
-/// The batches of one list of variants, oracles apart, without keys.
+/// Joins batches that may live together, oracles apart.
+void join(std::vector<Batch>& batches, bool always) {
+  std::size_t count = 0;
+  for (const Batch& batch : batches) count += batch.oracles ? 0 : batch.points.size();
+  if (!always && count > kMostTogether) return;
+  std::vector<Batch> joined;
+  for (Batch& batch : batches) {
+    if (batch.oracles || joined.empty()) {
+      joined.push_back(std::move(batch));
+    } else {
+      auto& points = joined.front().points;
+      points.insert(points.end(), batch.points.begin(), batch.points.end());
+    }
+  }
+  batches = std::move(joined);
+}
+
+/// The batches of one list of variants, one a budget, oracles apart and last, without keys.
 std::vector<Batch> batchesOf(const Experiment& experiment, const std::vector<std::string>& ids,
                              const std::vector<Budget>& budgets) {
   Batch unlimited;
@@ -152,7 +169,9 @@ std::vector<Group> expand(const Experiment& experiment, const Fingerprint& finge
       if (appliesTo(budget, scene)) budgets.push_back(budget);
     }
     for (const auto& ids : study.compare) {
-      for (Batch& batch : batchesOf(experiment, ids, budgets)) {
+      std::vector<Batch> batches = batchesOf(experiment, ids, budgets);
+      join(batches, study.comparesByList);
+      for (Batch& batch : batches) {
         giveKeys(batch, experiment, study, group, facts);
         group.batches.push_back(std::move(batch));
       }

@@ -26,10 +26,18 @@ struct PointPlan {
   std::string stem;  ///< of its image files: readable, and unique by the key
 };
 
-/// Points whose frames take turns, or the oracles of a group (without time).
+/// Renderers that live at the same time unless the experiment asks for more: at 1024x1024 about
+/// 2 GiB.
+inline constexpr std::size_t kMostTogether = 16;
+
+/// Points whose frames take turns, or the oracles of a group (without time). Only times of one
+/// batch may be divided by each other: whatever else the machine does falls on all of it alike.
 struct Batch {
   bool oracles = false;
   std::vector<PointPlan> points;
+
+  /// Names the batch in its points.
+  [[nodiscard]] const std::string& key() const { return points.front().key; }
 };
 
 /// What shares a loaded scene and a reference.
@@ -46,8 +54,10 @@ struct Group {
   [[nodiscard]] std::string label() const;
 };
 
-/// Variants without a budget share the rounds of the study's first budget. Studies, scenes, lights,
-/// sizes, seeds, in this order from the slowest.
+/// All variants of a `compare` list take turns at all budgets. Where a study has none, all of its
+/// points take turns if they are at most kMostTogether, else those of each budget, and variants
+/// without one take turns with the first budget. Order from the slowest: studies, scenes, lights,
+/// sizes, seeds.
 [[nodiscard]] std::vector<Group> expand(const Experiment& experiment,
                                         const Fingerprint& fingerprint);
 

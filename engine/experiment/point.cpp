@@ -80,10 +80,11 @@ std::vector<std::string> passNames(std::span<const Point> points) {
 
 }  // namespace
 
-Point startPoint(const Experiment& experiment, const Group& group, const PointPlan& plan,
-                 std::string_view status) {
+Point startPoint(const Experiment& experiment, const Group& group, const Batch& batch,
+                 const PointPlan& plan, std::string_view status) {
   const Variant& variant = experiment.variants[plan.variant];
   return {{"key", plan.key},
+          {"batch", batch.key()},
           {"study", experiment.studies[group.study].id},
           {"scene", group.scene},
           {"width", group.size.width},

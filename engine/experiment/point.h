@@ -21,7 +21,7 @@ inline constexpr const char* kOracle = "oracle";    ///< computed from all fragm
 inline constexpr const char* kRefused = "refused";  ///< "reason" says why
 
 /// The keys of every point: where it stands in the experiment.
-[[nodiscard]] Point startPoint(const Experiment& experiment, const Group& group,
+[[nodiscard]] Point startPoint(const Experiment& experiment, const Group& group, const Batch& batch,
                                const PointPlan& plan, std::string_view status);
 
 /// {"median", "p5", "p95"} of at least one value.

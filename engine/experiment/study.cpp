@@ -70,6 +70,7 @@ void completeCompare(Study& study) {
     study.compare = {study.variants};
     return;
   }
+  study.comparesByList = true;
   std::vector<std::string> all;
   for (const auto& list : study.compare) all.insert(all.end(), list.begin(), list.end());
   requireUnique(all, "in compare the variant", study.place);

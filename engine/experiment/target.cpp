@@ -96,6 +96,11 @@ class Judge {
     return without;
   }
 
+  /// Times may only be divided where the frames took turns.
+  [[nodiscard]] bool comparable(const Point& a, const Point& b) const {
+    return !target_.metric.starts_with("ms.") || textOf(a, "batch") == textOf(b, "batch");
+  }
+
   std::string missing(const Point& point, const std::string& variant) const {
     const std::string reason = textOf(point, "reason");
     return variant + ": " + (reason.empty() ? "no " + target_.metric : reason);
@@ -113,6 +118,10 @@ class Judge {
     std::string gaps;
     for (const std::string& id : target_.against) {
       const Point* other = partner(point, id);
+      if (other != nullptr && !comparable(point, *other)) {
+        gaps += "; " + id + " did not take turns with " + target_.of + ", name both in compare";
+        continue;
+      }
       const auto number = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
       if (number && (!least || *number < *least)) {
         least = number;

@@ -26,7 +26,9 @@ using namespace experiment;
 /// A file as named, or the ready-made experiment of that name.
 fs::path findExperiment(const std::string& name) {
   const fs::path path(name);
-  if (path.extension() == ".toml" || path.has_parent_path() || fs::exists(path)) return path;
+  if (path.extension() == ".toml" || path.has_parent_path() || fs::is_regular_file(path)) {
+    return path;
+  }
   const fs::path folder = dataFolder("assets") / "experiments";
   const fs::path ready = folder / (name + ".toml");
   if (fs::exists(ready)) return ready;
@@ -92,7 +94,8 @@ Provenance provenanceOf(const passes::Machine& machine) {
           static_cast<int>(std::thread::hardware_concurrency()),
           machine.capabilities.renderer,
           machine.capabilities.version,
-          std::string(gl::nameOf(machine.time.source)),
+          machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
+                                                        : "GL timer queries",
           date};
 }
 

@@ -159,8 +159,8 @@ class LoadedGroup {
     return false;
   }
 
-  Point refusedPoint(const PointPlan& plan, const std::string& refusal) const {
-    Point point = startPoint(run_.experiment, group_, plan, experiment::kRefused);
+  Point refusedPoint(const Batch& batch, const PointPlan& plan, const std::string& refusal) const {
+    Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kRefused);
     point["reason"] = refusal;
     return point;
   }
@@ -187,15 +187,15 @@ class LoadedGroup {
     std::vector<Point> points;
     for (std::size_t i = 0; i < count; ++i) {
       const PointPlan& plan = batch.points[i];
-      points.push_back(contenders[i] ? finish(plan, *contenders[i])
-                                     : refusedPoint(plan, refusals[i]));
+      points.push_back(contenders[i] ? finish(batch, plan, *contenders[i])
+                                     : refusedPoint(batch, plan, refusals[i]));
       progress_.advance();
     }
     return points;
   }
 
-  Point finish(const PointPlan& plan, const Contender& contender) const {
-    Point point = startPoint(run_.experiment, group_, plan, experiment::kMeasured);
+  Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
+    Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
     contender.describe(point);
     describeImage(point, contender.shown(), contender.display(), reference_,
                   run_.experiment.differenceScale, run_.folder, plan.stem);
@@ -209,9 +209,9 @@ class LoadedGroup {
     std::vector<Point> points;
     for (const PointPlan& plan : batch.points) {
       std::string refusal = unusable;
-      Point point = startPoint(run_.experiment, group_, plan, experiment::kOracle);
+      Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kOracle);
       attempt(refusal, [&] { describeOracle(point, plan, *exact); });
-      points.push_back(refusal.empty() ? std::move(point) : refusedPoint(plan, refusal));
+      points.push_back(refusal.empty() ? std::move(point) : refusedPoint(batch, plan, refusal));
       progress_.advance();
       if (interruptAsked != 0) run_.interrupted = true;
     }
