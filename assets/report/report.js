@@ -160,7 +160,7 @@ function drawPasses(points) {
   const colour = name => COLOURS[names.indexOf(name) % COLOURS.length];
   const sum = p => names.reduce((total, name) => total + (at(p, 'ms', 'passes', name, 'median') || 0), 0);
   bars(document.getElementById('passes'), names.map(name => ({name, colour: colour(name)})), points.map(p => ({
-    name: titleOf(p), figure: `${shown(sum(p))} ms`,
+    name: titleOf(p), figure: `${shown(view.time.of(p))} ms`,
     parts: names.map(name => ({value: at(p, 'ms', 'passes', name, 'median') || 0, colour: colour(name),
       title: `${titleOf(p)}\n${name}: ${shown(at(p, 'ms', 'passes', name, 'median'))} ms`})),
   })), Math.max(...points.map(sum), 1e-9));

@@ -1,8 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/experiment/experiment.h"
 
 namespace macula::experiment {
+
+bool Budget::appliesTo(const std::string& scene) const {
+  return scenes.empty() || std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+}
 
 std::string Budget::label() const {
   switch (kind) {

@@ -31,6 +31,7 @@ struct Budget {
   double value = 0.0;               ///< > 0
   std::vector<std::string> scenes;  ///< it applies to; empty: all of the study
 
+  [[nodiscard]] bool appliesTo(const std::string& scene) const;
   /// "k_ave 2", "35 MiB", "share 0.3": how results and targets name it.
   [[nodiscard]] std::string label() const;
   /// Bytes it stands for. @param samples of the image @param generated fragments of the scene

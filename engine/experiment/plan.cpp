@@ -65,11 +65,6 @@ Json groupFacts(const Group& group, const Study& study, const Fingerprint& finge
   return facts;
 }
 
-bool appliesTo(const Budget& budget, const std::string& scene) {
-  return budget.scenes.empty() ||
-         std::find(budget.scenes.begin(), budget.scenes.end(), scene) != budget.scenes.end();
-}
-
 /// Joins batches that may live together, oracles apart.
 void join(std::vector<Batch>& batches, bool always) {
   std::size_t count = 0;
@@ -166,7 +161,7 @@ std::vector<Group> expand(const Experiment& experiment, const Fingerprint& finge
                              size.width, size.height, plainName(light), keyOf(facts).substr(0, 8));
     std::vector<Budget> budgets;
     for (const Budget& budget : study.budgets) {
-      if (appliesTo(budget, scene)) budgets.push_back(budget);
+      if (budget.appliesTo(scene)) budgets.push_back(budget);
     }
     for (const auto& ids : study.compare) {
       std::vector<Batch> batches = batchesOf(experiment, ids, budgets);

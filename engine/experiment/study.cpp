@@ -16,6 +16,8 @@ constexpr int kMaxFrames = 10000;
 constexpr double kMostKAve = 4096.0;  ///< the ranges of oit.kAve and oit.memoryMiB
 constexpr double kMostMiB = 8192.0;
 constexpr double kLeastBudget = 1e-6;
+/// More points than anybody waits for: a slip in a list, not a plan.
+constexpr std::size_t kMostPoints = 100000;
 
 Size parseSize(const std::string& text, const std::string& place) {
   Size size;
@@ -62,6 +64,38 @@ void requireUnique(const std::vector<std::string>& names, std::string_view what,
         names.begin() + static_cast<std::ptrdiff_t>(i)) {
       failInput("{}: {} '{}' stands twice; keep one", place, what, oneLine(names[i]));
     }
+  }
+}
+
+/// Lists whose members would make the same point twice.
+void requireDistinct(const Study& study) {
+  requireUnique(study.scenes, "scene", study.place);
+  requireUnique(study.lights, "light", study.place);
+  std::vector<std::string> texts;
+  for (const Size& size : study.sizes)
+    texts.push_back(fmt::format("{}x{}", size.width, size.height));
+  requireUnique(texts, "size", study.place);
+  texts.clear();
+  for (const std::int64_t seed : study.seeds) texts.push_back(std::to_string(seed));
+  requireUnique(texts, "seed", study.place);
+  for (const std::string& scene : study.scenes) {
+    texts.clear();
+    for (const Budget& budget : study.budgets) {
+      if (budget.appliesTo(scene)) texts.push_back(budget.label());
+    }
+    requireUnique(texts, "for one scene the budget", study.place);
+  }
+}
+
+void requireFewEnough(const Study& study) {
+  std::size_t points = 1;
+  for (const std::size_t count :
+       {study.scenes.size(), study.sizes.size(), study.seeds.size(), study.lights.size(),
+        study.variants.size(), std::max<std::size_t>(1, study.budgets.size())}) {
+    points = points > kMostPoints ? points : points * count;
+  }
+  if (points > kMostPoints) {
+    failInput("{}: its lists make more than {} points; shorten them", study.place, kMostPoints);
   }
 }
 
@@ -120,7 +154,6 @@ void completeStudy(Study& study, const std::vector<Variant>& variants) {
   if (study.variants.empty()) study.variants = known;
   for (const std::string& id : study.variants) requireKnown(id, known, "variant", study.place);
   requireUnique(study.variants, "variant", study.place);
-  requireUnique(study.scenes, "scene", study.place);
   if (study.scenes.empty()) {
     failInput("{}: no scenes; add scenes = [\"smoke\"]", study.place);
   }
@@ -142,6 +175,8 @@ void completeStudy(Study& study, const std::vector<Variant>& variants) {
   if (study.sizes.empty()) study.sizes = {{256, 256}};
   if (study.seeds.empty()) study.seeds = {1};
   if (study.lights.empty()) study.lights = {kOwnLight};
+  requireFewEnough(study);
+  requireDistinct(study);
   completeCompare(study);
 }
 

@@ -98,6 +98,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"\"64x48\"", "\"0x48\"", "x.toml:3:", "WIDTHxHEIGHT"},
         Fault{"{ k_ave = 2 }", "{ k_ave = 0 }", "x.toml:4:", "k_ave"},
         Fault{"{ k_ave = 2 }", "{ k_ave = 2, mib = 3 }", "x.toml:4:", "one of"},
+        Fault{"{ share = 0.3 }", "{ k_ave = 2.0 }", "x.toml:1:", "k_ave 2"},
+        Fault{"\"64x48\"", "\"64x48\", \"64x48\"", "x.toml:1:", "twice"},
+        Fault{"sizes =", "seeds = [4, 4]\nsizes =", "x.toml:1:", "twice"},
         Fault{"{ k_ave = 2 }", "{ kave = 2 }", "x.toml:4:", "k_ave"},
         Fault{"{ share = 0.3 }", "{ share = 1.5 }", "x.toml:4:", "share"},
         Fault{"{ k_ave = 2 }", "{ k_ave = 2, scenes = [\"smok\"] }", "x.toml:1:", "smoke"},
@@ -120,6 +123,13 @@ INSTANTIATE_TEST_SUITE_P(
               "limit = \"< 1\"\n[[variant]]",
               "x.toml:11:", "<= 1.25"},
         Fault{"budgets = true\n", "budgets = 1\n", "x.toml:14:", "true or false"}));
+
+TEST(ExperimentParse, MorePointsThanAnybodyWaitsForAreRefused) {
+  std::string seeds = "seeds = [0";
+  for (int i = 1; i < 20000; ++i) seeds += "," + std::to_string(i);
+  EXPECT_NE(messageOf(smallWith("sizes =", seeds + "]\nsizes =")).find("100000"),
+            std::string::npos);
+}
 
 TEST(ExperimentParse, ReadyMadeExperimentsAreWhole) {
   for (const char* name : {"quick", "papers"}) {

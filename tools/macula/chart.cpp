@@ -127,10 +127,15 @@ void printSummary(const Results& results, const ChartRun& run, const fs::path& f
   for (const Skipped& skipped : run.skipped) {
     fmt::print("skipped: {}: {}\n", skipped.what, oneLine(skipped.reason));
   }
+  const Target* before = nullptr;
   for (const TargetRow& row : results.targets) {
-    const std::string value = row.value ? fmt::format("{:.3g} ", *row.value) : "";
-    fmt::print("{:<10} {}: {}{} ({}{})\n", nameOf(row.state), row.target->name, value,
-               row.target->limitText(), row.where, row.where.empty() ? row.note : "");
+    if (row.target != before) {
+      fmt::print("{}: {} {}\n", row.target->name, row.target->metric, row.target->limitText());
+    }
+    before = row.target;
+    const std::string value = row.value ? fmt::format("{:.3g}", *row.value) : "";
+    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value,
+               row.where.empty() ? row.note : row.where);
   }
   fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
              run.measured, run.kept, refused, (folder / "report.html").string());
