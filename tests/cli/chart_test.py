@@ -83,6 +83,31 @@ def check_results(folder):
     assert rows[3]["reason"] == refused["reason"]
 
 
+def check_oracles(folder):
+    """With room for every fragment an oracle's image is the exact one; with less it is not."""
+    chart(folder, TINY.replace("[[target]]", """[[variant]]
+id = "optimal-k"
+oracle = "optimal-k"
+budgets = true
+[[variant]]
+id = "least-rmse-tail"
+oracle = "least-rmse-tail"
+budgets = true
+[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }"))
+    points = [p for p in results(folder)["points"] if p["variant"] in ("optimal-k", "least-rmse-tail")]
+    assert len(points) == 6
+    if all(p["status"] == "refused" and "not part of this build" in p["reason"] for p in points):
+        print("skipped: this build has no oracles")
+        return
+    for point in points:
+        assert point["status"] == "oracle" and "ms" not in point, point
+        rmse, fragments = point["error"]["rmse"], point["fragments"]
+        # half-floats in storage: 11 bits
+        assert rmse < 0.002 if point["budget"] == "share 1" else rmse > 0.005, (point["variant"], rmse)
+        assert fragments["generated"] == 16 * 64 * 64, fragments
+        assert (fragments["lost"] == 0) == (point["budget"] == "share 1" or "tail" in point["variant"])
+
+
 def check_kept(folder):
     before = results(folder)["points"]
     assert "4 points: 0 measured now, 4 kept" in chart(folder, TINY).stdout
@@ -199,6 +224,7 @@ def main():
         seen = check_report(folder)
         check_kept(folder)
         check_refusals(folder)
+        check_oracles(folder)
     with tempfile.TemporaryDirectory() as folder:
         check_asked_to_stop(folder, check_interrupted(folder))
     print("chart: all checks passed", "" if seen else "(the report was not opened)")

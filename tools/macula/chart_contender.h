@@ -46,6 +46,8 @@ class Contender {
   /// Adds what was measured to a point: times, bytes, fragments, k, settings.
   void describe(experiment::Point& point) const;
   [[nodiscard]] const passes::FrameResult& result() const { return result_; }
+  [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
+  [[nodiscard]] const passes::RenderSettings& settings() const { return settings_->render; }
 
  private:
   struct PassSamples {

@@ -1,8 +1,8 @@
-// The place where an experiment asks an oracle: what would the best choice of k have reached?
+// What would the best choice of k have reached? Asked of the oracles of engine/measure.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 #include "chart_contender.h"
 
@@ -19,11 +19,22 @@ struct OracleAnswer {
   double kMean = 0.0;
 };
 
-/// Chooses k per pixel from all fragments of the scene.
-/// @param reference has just drawn the exact frame (ab-sbuffer): its buffers hold every fragment
-/// @param slots fragments that the budget holds
-/// @throws InputError where this build has no oracles; the point then says so
-[[nodiscard]] OracleAnswer askOracle(experiment::Oracle oracle, const Contender& reference,
-                                     const Stage& stage, std::uint64_t slots);
+/// All fragments of a group's frame, and the oracles that choose from them.
+class Oracles {
+ public:
+  /// @param exact has just drawn the exact frame
+  /// @throws InputError where this build has no oracles, or the frame was not exact
+  Oracles(const Contender& exact, const Stage& stage);
+  ~Oracles();
+  Oracles(const Oracles&) = delete;
+  Oracles& operator=(const Oracles&) = delete;
+
+  /// @param slots fragments that the budget holds
+  [[nodiscard]] OracleAnswer ask(experiment::Oracle oracle, std::uint64_t slots) const;
+
+ private:
+  struct Fragments;
+  std::unique_ptr<Fragments> fragments_;
+};
 
 }  // namespace macula::tools

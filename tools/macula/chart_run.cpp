@@ -204,13 +204,17 @@ class LoadedGroup {
 
   std::vector<Point> askOracles(const Batch& batch) {
     std::unique_ptr<Contender> exact;
+    std::unique_ptr<Oracles> oracles;
     std::string unusable;
-    attempt(unusable, [&] { exact = makeReference(); });
+    attempt(unusable, [&] {
+      exact = makeReference();
+      oracles = std::make_unique<Oracles>(*exact, stage_);
+    });
     std::vector<Point> points;
     for (const PointPlan& plan : batch.points) {
       std::string refusal = unusable;
       Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kOracle);
-      attempt(refusal, [&] { describeOracle(point, plan, *exact); });
+      attempt(refusal, [&] { describeOracle(point, plan, *oracles); });
       points.push_back(refusal.empty() ? std::move(point) : refusedPoint(batch, plan, refusal));
       progress_.advance();
       if (interruptAsked != 0) run_.interrupted = true;
@@ -218,11 +222,10 @@ class LoadedGroup {
     return points;
   }
 
-  void describeOracle(Point& point, const PointPlan& plan, const Contender& exact) const {
+  void describeOracle(Point& point, const PointPlan& plan, const Oracles& oracles) const {
     const auto bytes = static_cast<std::uint64_t>(budgetBytes(plan.budget.value()));
     const auto slots = bytes / static_cast<std::uint64_t>(experiment::kBytesPerFragment);
-    const OracleAnswer answer =
-        askOracle(run_.experiment.variants[plan.variant].oracle, exact, stage_, slots);
+    const OracleAnswer answer = oracles.ask(run_.experiment.variants[plan.variant].oracle, slots);
     const std::uint64_t generated = answer.stored + answer.merged + answer.lost;
     const double loss =
         generated > 0 ? static_cast<double>(answer.lost) / static_cast<double>(generated) : 0.0;
