@@ -41,6 +41,33 @@ limit = "<= 0.01"
 """
 
 
+# What a reader does with the report, all of it.
+USE = """<script>
+for (const select of document.querySelectorAll('#view select')) {
+  for (let i = select.options.length - 1; i >= 0; --i) {
+    select.selectedIndex = i;
+    select.dispatchEvent(new Event('change'));
+  }
+}
+for (let i = 0; i < document.querySelectorAll('.tabs button').length; ++i) document.querySelectorAll('.tabs button')[i].click();
+for (let i = 0; i < 2 * document.querySelectorAll('#table th').length; ++i) document.querySelectorAll('#table th')[i >> 1].click();
+setTimeout(() => {  // charts draw after the present task
+const viewer = document.getElementById('viewer');
+let pictures = 0;
+for (const opener of document.querySelectorAll('.dot, #table tbody tr')) {
+  opener.dispatchEvent(new MouseEvent('mousemove', {clientX: 5, clientY: 5, bubbles: true}));
+  opener.click();
+  if (!viewer.open) continue;
+  if ([...viewer.querySelectorAll('img')].every(i => i.src.startsWith('data:image/jpeg'))) ++pictures;
+  viewer.querySelector('input').value = 30;
+  viewer.querySelector('input').dispatchEvent(new Event('input'));
+  viewer.close();
+}
+document.body.append(`used: ${pictures} pictures, divider at ${document.querySelector('.slider').style.getPropertyValue('--at')}`);
+}, 300);
+</script></body>"""
+
+
 def chart(folder, experiment, *options, check=True):
     path = os.path.join(folder, "experiment.toml")
     with open(path, "w", encoding="utf-8") as f:
@@ -121,6 +148,19 @@ def check_kept(folder):
     assert os.path.exists(os.path.join(folder, "out", lost))
 
 
+def opened(browser, folder, page):
+    """The page after its scripts have run, without a network."""
+    profile = os.path.join(folder, "profile")
+    done = subprocess.run(
+        [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1600",
+         f"--user-data-dir={profile}", "--proxy-server=127.0.0.1:9", "--virtual-time-budget=5000",
+         "--dump-dom", "file://" + page], capture_output=True, text=True, timeout=240)
+    assert "<html" in done.stdout, done.stderr[-2000:]
+    errors = re.search(r'<p id="script-errors"[^>]*>(.*?)</p>', done.stdout, re.S)
+    assert errors and errors.group(1) == "" and "hidden" in errors.group(0), errors and errors.group(0)
+    return done.stdout
+
+
 def check_report(folder):
     browser = shutil.which("chromium") or shutil.which("google-chrome")
     if browser is None:
@@ -131,15 +171,7 @@ def check_report(folder):
         text = f.read()
     addresses = set(re.findall(r"""(?:src|href)=["']?(?!data:)([a-z]+:)?//[^"' >]+""", text))
     assert not addresses, f"the page asks the network: {addresses}"
-    profile = os.path.join(folder, "profile")
-    done = subprocess.run(
-        [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1600",
-         f"--user-data-dir={profile}", "--proxy-server=127.0.0.1:9", "--virtual-time-budget=5000",
-         "--dump-dom", "file://" + page], capture_output=True, text=True, timeout=240)
-    dom = done.stdout
-    assert "<html" in dom, done.stderr[-2000:]
-    errors = re.search(r'<p id="script-errors"[^>]*>(.*?)</p>', dom, re.S)
-    assert errors and errors.group(1) == "" and "hidden" in errors.group(0), errors
+    dom = opened(browser, folder, page)
     for chart_id, count in (("by-time", 3), ("by-bytes", 3)):
         at = dom.index(f'id="{chart_id}"')
         part = dom[at:dom.index("</figure>", at)]
@@ -155,6 +187,12 @@ def check_report(folder):
     assert "MISSED" in dom and "1 met, 1 missed" in dom
     assert "nowhere.glb" in dom
     assert "<h1>Tiny &lt;/script&gt; &amp; &lt;b&gt;small&lt;/b&gt;</h1>" in dom
+    used = page.replace("report.html", "used.html")
+    with open(used, "w", encoding="utf-8") as f:
+        f.write(text.replace("</body>", USE))
+    # three points in two charts and three rows
+    found = re.search(r"used: \d+ pictures, divider at [^<]*", opened(browser, folder, used))
+    assert found and found.group(0) == "used: 9 pictures, divider at 30%", found
     return True
 
 

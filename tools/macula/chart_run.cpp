@@ -217,7 +217,10 @@ class LoadedGroup {
       attempt(refusal, [&] { describeOracle(point, plan, *oracles); });
       points.push_back(refusal.empty() ? std::move(point) : refusedPoint(batch, plan, refusal));
       progress_.advance();
-      if (interruptAsked != 0) run_.interrupted = true;
+      if (interruptAsked != 0) {
+        run_.interrupted = true;
+        return {};
+      }
     }
     return points;
   }
