@@ -139,6 +139,7 @@ def check_kept(folder):
     before = results(folder)["points"]
     assert "4 points: 0 measured now, 4 kept" in chart(folder, TINY).stdout
     assert results(folder)["points"] == before, "kept points change no number"
+    assert json.loads(chart(folder, TINY, "--json", "-").stdout) == results(folder)
     changed = chart(folder, TINY.replace("frames = 2", "frames = 3")).stdout
     assert "4 points: 4 measured now, 0 kept" in changed, changed
     chart(folder, TINY)

@@ -165,7 +165,8 @@ void chart(const ChartOptions& options) {
     failInput("interrupted with {} points finished; the same command goes on from there",
               results.points.size());
   }
-  printSummary(results, run, folder);
+  writeJson(options.json, toJson(results));
+  if (options.json != "-") printSummary(results, run, folder);
 }
 
 void addChart(CLI::App& root) {
@@ -180,6 +181,7 @@ void addChart(CLI::App& root) {
                    "it are kept")
       ->required();
   addPlatformOption(*command, options->platform);
+  addJsonOption(*command, options->json);
   command->callback([options] { chart(*options); });
 }
 

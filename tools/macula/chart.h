@@ -9,6 +9,7 @@ struct ChartOptions {
   std::string experiment = "quick";  ///< a file, or the name of one in assets/experiments
   std::string out;
   std::string platform = "auto";
+  std::string json;  ///< also results.json's text; - is standard output
 };
 
 /// Runs what is missing and writes points.jsonl, images/, results.csv, results.json and
