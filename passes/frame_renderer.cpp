@@ -281,6 +281,7 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   counts.lost = counts.generated - counts.stored - counts.merged;
   result.fragments = counts;
   result.deepest = s.countMax;
+  if (plan_.tailInSlot()) result.tailSlots = std::uint64_t{s.tails} * plan_.tailSlots();
   plan_.largestLayers = s.kMax;
   if (s.covered > 0 && method.stores() && method.insertion != Insertion::Linked) {
     result.layers =

@@ -40,6 +40,7 @@ struct FrameResult {
   std::optional<FragmentCounts> fragments;  ///< none where the method does not count
   std::optional<LayerStatistics> layers;
   std::uint32_t deepest = 0;  ///< largest number of fragments in a sample
+  std::uint64_t tailSlots = 0;  ///< slots that hold tails
   std::uint32_t lockFailures = 0;
   bool exact = false;  ///< every fragment reached the image in its place
   int recaptures = 0;  ///< times the frame was drawn again with a larger pool

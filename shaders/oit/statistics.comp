@@ -16,7 +16,7 @@ layout(location = 0) uniform uint tailOfConstant;  // slots of a tail where n ex
 void main() {
   ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
   int end = min(first.x + STRIP, int(frame.size.x));
-  OitStatistics s = OitStatistics(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+  OitStatistics s = OitStatistics(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
   for (ivec2 p = first; p.x < end; ++p.x) {
     uint n = uint(texelFetch(fragmentCount, p, 0).r);
     if (n == 0u) continue;
@@ -37,7 +37,10 @@ void main() {
 #endif
     s.generated += n;
     s.stored += stored;
-    if (tail) s.merged += n - stored;
+    if (tail) {
+      s.merged += n - stored;
+      ++s.tails;
+    }
     s.slots += k;
     ++s.covered;
     s.countMax = max(s.countMax, n);
@@ -48,6 +51,7 @@ void main() {
   atomicAdd(statistics.generated, s.generated);
   atomicAdd(statistics.stored, s.stored);
   atomicAdd(statistics.merged, s.merged);
+  atomicAdd(statistics.tails, s.tails);
   atomicAdd(statistics.slots, s.slots);
   atomicAdd(statistics.covered, s.covered);
   atomicMax(statistics.countMax, s.countMax);

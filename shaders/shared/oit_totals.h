@@ -38,6 +38,10 @@ struct OitStatistics {
   uint countMax;      // largest n
   uint kMax;          // over covered pixels
   uint kMinInverted;  // 0xFFFFFFFF - least k over covered pixels, so that 0 is the start
+  uint tails;         // pixels with a tail
+  uint padding0;
+  uint padding1;
+  uint padding2;
 };
 
 MACULA_SHARED_END

@@ -6,6 +6,8 @@ trap 'rm -rf "$prefix"' EXIT
 cmake --install "$MACULA_BUILD" --prefix "$prefix" >/dev/null
 test -f "$prefix/share/macula/shaders/lighting.comp"
 test -f "$prefix/share/macula/assets/gallery_gaze.csv"
+test -f "$prefix/share/macula/assets/experiments/quick.toml"
+test -f "$prefix/share/macula/assets/report/report.html"
 cd "$prefix"
 "$prefix/bin/macula" replay layers-2 --frames 1 --size 32x32 --out "$prefix/out"
 test -f "$prefix/out/report.json"

@@ -15,6 +15,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/image/image.h"
+#include "engine/image/jpeg.h"
 
 namespace macula::image {
 namespace {
@@ -301,6 +302,18 @@ TEST(ToImage8, ClampsAndRounds) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const ImageF image{6, 1, 1, {-1.0F, nan, 0.5F, 1.0F, 9.0F, 1.4F / 255.0F}};
   EXPECT_EQ(toImage8(image).pixels, (std::vector<std::uint8_t>{0, 0, 128, 255, 255, 1}));
+}
+
+TEST(Jpeg, IsOneFileOfItsSizeAndSmallerThanThePixels) {
+  Image8 image{64, 32, 3, std::vector<std::uint8_t>(64 * 32 * 3, 128)};
+  const std::string bytes = encodeJpeg(image, 92);
+  EXPECT_TRUE(bytes.starts_with("\xFF\xD8\xFF"));
+  EXPECT_TRUE(bytes.ends_with("\xFF\xD9"));
+  const std::string frame("\xFF\xC0\0\x11\x08\0\x20\0\x40\x03", 10);  // 32 rows of 64, 3 channels
+  EXPECT_NE(bytes.find(frame), std::string::npos);
+  EXPECT_LT(bytes.size(), image.pixels.size());
+  image.channels = 4;
+  EXPECT_THROW((void)encodeJpeg(image, 92), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 namespace macula::tools {
 
+void addChart(CLI::App& root);
 void addCompare(CLI::App& root);
 void addDevices(CLI::App& root);
 void addGaze(CLI::App& root);

@@ -1,4 +1,4 @@
-// macula: walk, replay, compare, gaze, scene, devices.
+// macula: walk, replay, chart, compare, gaze, scene, devices.
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     macula::tools::addWalk(root);
 #endif
     macula::tools::addReplay(root);
+    macula::tools::addChart(root);
     macula::tools::addCompare(root);
     macula::tools::addGaze(root);
     macula::tools::addScene(root);

@@ -1,0 +1,185 @@
+'use strict';
+// Charts of the report: log-log scatter on uPlot's axes, and stacked bars.
+
+// Okabe & Ito's colours for all kinds of sight, and darker or lighter ones where they run out.
+const COLOURS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195',
+  '#8c564b', '#6b8e23', '#c2185b', '#607d8b', '#b8a000', '#00838f', '#a1887f'];
+
+const cssColour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+function element(tag, attributes = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name === 'on') for (const [event, call] of Object.entries(value)) node.addEventListener(event, call);
+    else if (name === 'style') node.style.cssText = value;
+    else node.setAttribute(name, value);
+  }
+  node.append(...children);
+  return node;
+}
+
+function svgElement(tag, attributes, text = '') {
+  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.textContent = text;
+  return node;
+}
+
+// 4 significant digits, without exponents where a reader would stumble over them.
+function shown(number) {
+  if (number === null || number === undefined) return '–';
+  if (number === 0) return '0';
+  const size = Math.abs(number);
+  if (size >= 1e6) return (number / 1e6).toPrecision(4) + ' M';
+  if (size >= 1000) return number.toFixed(0);
+  if (size < 1e-4) return number.toExponential(2);
+  return String(Number(number.toPrecision(size >= 1 ? 4 : 3)));
+}
+
+const mebi = bytes => bytes === null || bytes === undefined ? null : bytes / 1048576;
+const percent = share => share === null || share === undefined ? '–' : (100 * share).toFixed(share < 0.0995 ? 2 : 1) + ' %';
+
+const tip = {
+  show(text, event) {
+    const box = document.getElementById('tip');
+    box.textContent = text;
+    box.hidden = false;
+    const at = event.clientX === undefined || (event.type === 'focus')
+      ? event.target.getBoundingClientRect() : {right: event.clientX, bottom: event.clientY};
+    const x = Math.min(at.right + 14, innerWidth - box.offsetWidth - 8);
+    const y = Math.min(at.bottom + 14, innerHeight - box.offsetHeight - 8);
+    box.style.left = Math.max(8, x) + 'px';
+    box.style.top = Math.max(8, y) + 'px';
+  },
+  hide() { document.getElementById('tip').hidden = true; },
+};
+
+// The points that no other beats in both values, from left to right.
+function paretoFront(points) {
+  const sorted = [...points].sort((a, b) => a.x - b.x || a.y - b.y);
+  const front = [];
+  for (const point of sorted) {
+    if (front.length === 0 || point.y < front[front.length - 1].y) front.push(point);
+  }
+  return front;
+}
+
+// Powers of ten around the values, with a margin, so that no point touches the frame.
+function logRange(values) {
+  const low = Math.log10(Math.min(...values));
+  const high = Math.log10(Math.max(...values));
+  const margin = Math.max(0.12, 0.1 * (high - low));
+  return [10 ** (low - margin), 10 ** (high + margin)];
+}
+
+// Every digit of a power of ten in short ranges; 1, 2 and 5, or 1 alone, in long ones.
+function logTicks(low, high) {
+  const decades = Math.log10(high / low);
+  const steps = decades > 2.5 ? [1] : decades > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
+  const ticks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
+    for (const step of steps) {
+      const tick = Number((step * 10 ** power).toPrecision(3));
+      if (tick >= low && tick <= high) ticks.push(tick);
+    }
+  }
+  return ticks;
+}
+
+// Places labels beside their points where no other label, point or edge is in the way; the best of
+// several directions and distances. A label that finds no place stays away: its point still speaks
+// when it is pointed at.
+function placeLabels(dots, width, height) {
+  const taken = dots.map(d => ({x0: d.px - 8, x1: d.px + 8, y0: d.py - 8, y1: d.py + 8}));
+  const hits = box => box.x0 < 2 || box.x1 > width - 2 || box.y0 < 2 || box.y1 > height - 2 ||
+    taken.some(t => box.x0 < t.x1 && box.x1 > t.x0 && box.y0 < t.y1 && box.y1 > t.y0);
+  const placed = [];
+  for (const dot of dots) {
+    const w = dot.label.length * 6.3 + 4;
+    search:
+    for (const reach of [11, 24, 40, 60, 84]) {
+      for (const [dx, dy] of [[1, 0], [0.9, -0.6], [0.9, 0.6], [-1, 0], [-0.9, -0.6], [-0.9, 0.6], [0, -1], [0, 1]]) {
+        const x = dot.px + dx * reach;
+        const y = dot.py + dy * reach;
+        const x0 = dx > 0 ? x : dx < 0 ? x - w : x - w / 2;
+        const box = {x0, x1: x0 + w, y0: y - 8, y1: y + 8};
+        if (hits(box)) continue;
+        taken.push(box);
+        placed.push({dot, x: x0 + 2, y: y + 4, from: reach > 11 ? {x, y} : null});
+        break search;
+      }
+    }
+  }
+  return placed;
+}
+
+// A scatter chart in `host`. points: {x, y, zero, label, colour, text, open()}; both axes log.
+function scatter(host, points, xLabel, yLabel) {
+  host.replaceChildren();
+  if (points.length === 0) {
+    host.append(element('p', {class: 'empty'}, 'Nothing to show here.'));
+    return;
+  }
+  const front = paretoFront(points);
+  const xs = logRange(points.map(p => p.x));
+  const ys = logRange(points.map(p => p.y));
+  const axis = (label, size) => ({
+    label, size, labelSize: 22, font: '12px system-ui, sans-serif', labelFont: '13px system-ui, sans-serif',
+    stroke: cssColour('--soft'), grid: {stroke: cssColour('--line'), width: 1},
+    ticks: {stroke: cssColour('--line'), width: 1},
+    splits: (u, i) => i === 0 ? logTicks(...xs) : logTicks(...ys),
+    values: (u, splits) => splits.map(v => shown(v)),
+    filter: (u, splits) => splits,
+  });
+  const overlay = u => {
+    u.over.querySelectorAll('svg, .dot').forEach(n => n.remove());
+    const svg = svgElement('svg', {});
+    const place = p => ({...p, px: u.valToPos(p.x, 'x'), py: u.valToPos(p.y, 'y')});
+    const path = front.map(place).map(p => `${p.px.toFixed(1)},${p.py.toFixed(1)}`).join(' ');
+    if (front.length > 1) svg.append(svgElement('polyline', {class: 'front', points: path}));
+    const dots = points.map(place);
+    for (const {dot, x, y, from} of placeLabels(dots, u.over.clientWidth, u.over.clientHeight)) {
+      if (from) svg.append(svgElement('line', {class: 'leader', x1: dot.px, y1: dot.py, x2: from.x, y2: from.y}));
+      svg.append(svgElement('text', {x, y}, dot.label));
+    }
+    u.over.append(svg);
+    for (const dot of dots) {
+      const best = front.some(p => p.key === dot.key);
+      u.over.append(element('button', {
+        class: `dot${dot.zero ? ' exact' : ''}${best ? ' best' : ''}`, 'aria-label': dot.text, 'data-key': dot.key,
+        style: `left:${dot.px}px;top:${dot.py}px;--colour:${dot.colour}`,
+        on: {mousemove: e => tip.show(dot.text, e), mouseleave: tip.hide, focus: e => tip.show(dot.text, e),
+             blur: tip.hide, click: dot.open},
+      }));
+    }
+  };
+  const sorted = [...points].sort((a, b) => a.x - b.x);
+  new uPlot({
+    width: Math.max(300, host.clientWidth), height: 400,
+    legend: {show: false}, cursor: {show: false},
+    scales: {x: {time: false, distr: 3, range: () => xs}, y: {distr: 3, range: () => ys}},
+    axes: [axis(xLabel, 42), axis(yLabel, 62)],
+    series: [{}, {show: true, paths: () => null, points: {show: false}}],
+    hooks: {draw: [overlay]},
+  }, [sorted.map(p => p.x), sorted.map(p => p.y)], host);
+}
+
+// Rows of stacked bars. rows: {name, parts: [{value, colour, title}], figure, open()}; `whole` is
+// the length of the track.
+function bars(host, keys, rows, whole) {
+  host.replaceChildren();
+  if (rows.length === 0) {
+    host.append(element('p', {class: 'note'}, 'Nothing to show here.'));
+    return;
+  }
+  host.append(element('div', {class: 'bar-keys'}, ...keys.map(({name, colour}) => element('span', {},
+    element('i', {class: 'swatch square', style: `background:${colour}`}), name))));
+  for (const row of rows) {
+    const spans = row.parts.filter(p => p.value > 0).map(part => element('span', {
+      style: `width:${(100 * part.value / whole).toFixed(3)}%;background:${part.colour}`,
+      on: {mousemove: e => tip.show(part.title, e), mouseleave: tip.hide},
+    }));
+    host.append(element('div', {class: 'bar-row'}, element('span', {class: 'name', title: row.name}, row.name),
+      element('span', {class: 'track'}, ...spans), element('span', {class: 'figure'}, row.figure)));
+  }
+}

@@ -1,0 +1,276 @@
+// The report as a page: header, targets, view, table, viewer. Data and pictures are in #data.
+const data = JSON.parse(document.getElementById('data').textContent);
+const labelOf = id => (data.variants.find(v => v.id === id) || {label: id}).label;
+const colourOf = id => COLOURS[data.variants.findIndex(v => v.id === id) % COLOURS.length];
+const titleOf = point => labelOf(point.variant) + (point.budget ? ` · ${point.budget}` : '');
+const sceneName = scene => scene.split('/').pop().replace(/\.(glb|gltf)$/, '');
+const at = (point, ...keys) => keys.reduce((node, key) => node === null || node === undefined ? null : node[key], point) ?? null;
+
+const METRICS = [
+  {id: 'rmse', name: 'RMSE', of: p => at(p, 'error', 'rmse')},
+  {id: 'flip', name: 'FLIP', of: p => at(p, 'error', 'flip')},
+  {id: 'max', name: 'largest difference', of: p => at(p, 'error', 'max')},
+];
+const TIMES = [
+  {id: 'transparency', name: 'transparency, ms', of: p => at(p, 'ms', 'transparency', 'median')},
+  {id: 'total', name: 'whole frame, ms', of: p => at(p, 'ms', 'total', 'median')},
+];
+
+const DIMENSIONS = [
+  {id: 'study', name: 'Study', of: p => p.study, show: v => (data.studies.find(s => s.id === v) || {title: v}).title},
+  {id: 'scene', name: 'Scene', of: p => p.scene, show: sceneName, tabs: true},
+  {id: 'light', name: 'Light', of: p => p.light, show: v => v},
+  {id: 'size', name: 'Size', of: p => `${p.width}x${p.height}`, show: v => v},
+  {id: 'seed', name: 'Seed', of: p => String(p.seed), show: v => v},
+];
+const view = {metric: METRICS[0], time: TIMES[0]};
+
+function fillHeader() {
+  document.getElementById('description').textContent = data.description;
+  const count = status => data.points.filter(p => p.status === status).length;
+  const facts = {
+    Date: data.date, Commit: data.commit, Renderer: `${data.gl.renderer}, ${data.gl.version}`,
+    Processor: `${data.machine.processor}, ${data.machine.cores} cores`, Times: data.gl.time_source,
+    Rounds: `${[...new Set(data.studies.map(s => s.frames))].join(', ')} after ${data.warm_up_rounds} of warm-up`,
+    Points: `${count('measured')} measured, ${count('oracle')} by oracles, ${count('refused')} refused`,
+  };
+  document.getElementById('provenance').append(...Object.entries(facts).map(([name, value]) =>
+    element('div', {}, element('dt', {}, name), element('dd', {}, value))));
+  document.querySelector('#experiment pre').textContent = data.experiment;
+  if (data.skipped.length > 0) {
+    document.getElementById('skipped').hidden = false;
+    document.querySelector('#skipped ul').append(...data.skipped.map(s => element('li', {}, `${s.what}: ${s.reason}`)));
+  }
+}
+
+function fillTargets() {
+  if (data.targets.length === 0) return;
+  document.getElementById('targets').hidden = false;
+  const count = state => data.targets.filter(t => t.state === state).length;
+  document.getElementById('target-sum').textContent =
+    `${count('met')} met, ${count('missed')} missed, ${count('unmeasured')} not measured`;
+  document.querySelector('#targets thead').append(element('tr', {},
+    ...['Target', 'Where', 'Value', 'Limit', 'Result', 'Made of'].map(name => element('th', {}, name))));
+  let before = null;
+  for (const target of data.targets) {
+    const name = element('td', {class: 'name'});
+    if (before !== target.name) name.append(target.name);
+    if (before !== target.name && target.papers) name.append(element('small', {}, `Papers: ${target.papers}`));
+    before = target.name;
+    const state = {met: 'met', missed: 'MISSED', unmeasured: 'NOT MEASURED'}[target.state];
+    document.querySelector('#targets tbody').append(element('tr', {class: target.state}, name,
+      element('td', {}, target.where || '–'),
+      element('td', {class: 'number'}, target.value === null ? '' : shown(target.value)),
+      element('td', {class: 'number', style: 'white-space:nowrap'}, target.limit),
+      element('td', {class: 'state'}, state), element('td', {}, target.note)));
+  }
+}
+
+// The values of a dimension that exist beside the choices made before it.
+function valuesOf(index) {
+  const rest = data.points.filter(p => DIMENSIONS.slice(0, index).every(d => d.of(p) === view[d.id]));
+  return [...new Set(rest.map(DIMENSIONS[index].of))];
+}
+
+const viewPoints = () => data.points.filter(p => DIMENSIONS.every(d => d.of(p) === view[d.id]));
+
+function fillView() {
+  const nav = document.getElementById('view');
+  nav.replaceChildren();
+  const selectOf = (name, options, chosen, change) => {
+    const select = element('select', {'aria-label': name, on: {change: e => change(e.target.selectedIndex)}},
+      ...options.map(o => element('option', {}, o)));
+    select.selectedIndex = chosen;
+    return element('label', {}, name, select);
+  };
+  DIMENSIONS.forEach((dimension, index) => {
+    const values = valuesOf(index);
+    if (!values.includes(view[dimension.id])) view[dimension.id] = values[0];
+    if (values.length < 2 && !dimension.tabs) return;
+    const choose = value => { view[dimension.id] = value; fillView(); };
+    if (dimension.tabs && values.length <= 8) {
+      nav.append(element('div', {class: 'tabs'}, dimension.name, element('div', {}, ...values.map(v =>
+        element('button', {type: 'button', 'aria-pressed': String(v === view[dimension.id]), on: {click: () => choose(v)}},
+          dimension.show(v))))));
+    } else {
+      nav.append(selectOf(dimension.name, values.map(dimension.show), values.indexOf(view[dimension.id]), i => choose(values[i])));
+    }
+  });
+  nav.append(selectOf('Error', METRICS.map(m => m.name), METRICS.indexOf(view.metric), i => { view.metric = METRICS[i]; drawCharts(); }));
+  nav.append(selectOf('Time', TIMES.map(t => t.name), TIMES.indexOf(view.time), i => { view.time = TIMES[i]; drawCharts(); }));
+  drawCharts();
+}
+
+function numbersOf(point) {
+  const lines = [titleOf(point)];
+  const add = (name, value, unit = '') => { if (value !== null) lines.push(`${name} ${shown(value)}${unit}`); };
+  add('transparency', at(point, 'ms', 'transparency', 'median'), ' ms');
+  add('frame', at(point, 'ms', 'total', 'median'), ' ms');
+  add('bytes', mebi(at(point, 'bytes', 'transparency')), ' MiB');
+  add('RMSE', at(point, 'error', 'rmse'));
+  add('FLIP', at(point, 'error', 'flip'));
+  if (at(point, 'fragments', 'loss') !== null) lines.push(`fragments lost ${percent(point.fragments.loss)}`);
+  if (at(point, 'k', 'mean') !== null) lines.push(`k ${point.k.min} to ${point.k.max}, mean ${shown(point.k.mean)}`);
+  return lines;
+}
+
+// Zero has no place on a logarithmic axis: exact images stand below all others, and what needs no
+// memory left of them, hollow.
+function chartPoints(points, x) {
+  const y = view.metric.of;
+  const floorOf = (of, step, otherwise) => {
+    const positive = points.map(of).filter(v => v !== null && v > 0);
+    return positive.length > 0 ? Math.min(...positive) / step : otherwise;
+  };
+  const floorX = floorOf(x, 1.5, 1);
+  const floorY = floorOf(y, 4, 1e-4);
+  return points.filter(p => x(p) !== null && y(p) !== null).map(p => ({
+    key: p.key, x: x(p) || floorX, y: y(p) || floorY, zero: x(p) === 0 || y(p) === 0,
+    label: titleOf(p) + (y(p) === 0 ? ' (exact)' : '') + (x(p) === 0 ? ' (0)' : ''), colour: colourOf(p.variant),
+    text: numbersOf(p).join('\n'), open: () => openViewer(p),
+  }));
+}
+
+function drawCharts() {
+  const points = viewPoints();
+  const used = data.variants.filter(v => points.some(p => p.variant === v.id));
+  document.getElementById('legend').replaceChildren(...used.map(v => element('span', {},
+    element('i', {class: 'swatch', style: `background:${colourOf(v.id)}`}), v.label)));
+  const place = id => document.getElementById(id);
+  place('by-time').previousElementSibling.textContent = `${view.metric.name} against time (${view.time.name})`;
+  place('by-bytes').previousElementSibling.textContent = `${view.metric.name} against the bytes of transparency`;
+  scatter(place('by-time'), chartPoints(points, view.time.of), view.time.name, view.metric.name);
+  scatter(place('by-bytes'), chartPoints(points, p => mebi(at(p, 'bytes', 'transparency'))), 'MiB', view.metric.name);
+  drawLoss(points.filter(p => at(p, 'fragments', 'generated') > 0));
+  drawPasses(points.filter(p => p.ms));
+}
+
+function drawLoss(points) {
+  const kinds = [['stored', 'var(--stored)'], ['merged', 'var(--merged)'], ['lost', 'var(--lost)']];
+  bars(document.getElementById('loss'), kinds.map(([name, colour]) => ({name, colour})), points.map(p => ({
+    name: titleOf(p), figure: `${percent(p.fragments.loss)} lost`,
+    parts: kinds.map(([name, colour]) => ({value: p.fragments[name] / p.fragments.generated, colour,
+      title: `${titleOf(p)}\n${name}: ${shown(p.fragments[name])} of ${shown(p.fragments.generated)}`})),
+  })), 1);
+}
+
+function drawPasses(points) {
+  const only = name => view.time.id === 'total' || name.startsWith('oit.');
+  const names = [...new Set(points.flatMap(p => Object.keys(p.ms.passes)))].filter(only);
+  const colour = name => COLOURS[names.indexOf(name) % COLOURS.length];
+  const sum = p => names.reduce((total, name) => total + (at(p, 'ms', 'passes', name, 'median') || 0), 0);
+  bars(document.getElementById('passes'), names.map(name => ({name, colour: colour(name)})), points.map(p => ({
+    name: titleOf(p), figure: `${shown(view.time.of(p))} ms`,
+    parts: names.map(name => ({value: at(p, 'ms', 'passes', name, 'median') || 0, colour: colour(name),
+      title: `${titleOf(p)}\n${name}: ${shown(at(p, 'ms', 'passes', name, 'median'))} ms`})),
+  })), Math.max(...points.map(sum), 1e-9));
+}
+
+const COLUMNS = [
+  ['Study', p => p.study, false, data.studies.length > 1], ['Scene', p => sceneName(p.scene)],
+  ['Size', p => `${p.width}x${p.height}`], ['Light', p => p.light, false, new Set(data.points.map(p => p.light)).size > 1],
+  ['Seed', p => p.seed, true, new Set(data.points.map(p => p.seed)).size > 1],
+  ['Variant', p => labelOf(p.variant)], ['Budget', p => p.budget],
+  ['Transparency ms', p => at(p, 'ms', 'transparency', 'median'), true], ['Frame ms', p => at(p, 'ms', 'total', 'median'), true],
+  ['MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
+  ['Fragments', p => at(p, 'fragments', 'generated'), true], ['Stored', p => at(p, 'fragments', 'stored'), true],
+  ['Merged', p => at(p, 'fragments', 'merged'), true], ['Lost', p => at(p, 'fragments', 'loss'), true, true, percent],
+  ['k mean', p => at(p, 'k', 'mean'), true], ['k max', p => at(p, 'k', 'max'), true],
+  ['RMSE', p => at(p, 'error', 'rmse'), true], ['PSNR dB', p => at(p, 'error', 'psnr_db'), true],
+  ['Max', p => at(p, 'error', 'max'), true], ['FLIP', p => at(p, 'error', 'flip'), true],
+].filter(column => column[3] !== false);
+const sorting = {column: -1, down: false};
+
+function fillTable() {
+  const head = COLUMNS.map(([name, , number], i) => element('th', {
+    class: number ? 'number' : '', 'aria-sort': sorting.column !== i ? 'none' : sorting.down ? 'descending' : 'ascending',
+    on: {click: () => {
+      sorting.down = sorting.column === i && !sorting.down;
+      sorting.column = i;
+      fillTable();
+    }},
+  }, name));
+  document.querySelector('#table thead').replaceChildren(element('tr', {}, ...head));
+  const rows = [...data.points];
+  if (sorting.column >= 0) {
+    const of = COLUMNS[sorting.column][1];
+    const compare = (a, b) => a === b ? 0 : a === null ? 1 : b === null ? -1 : a < b ? -1 : 1;  // blanks last
+    rows.sort((a, b) => of(a) === null || of(b) === null || !sorting.down ? compare(of(a), of(b)) : compare(of(b), of(a)));
+  }
+  document.querySelector('#table tbody').replaceChildren(...rows.map(point => {
+    const texts = COLUMNS.filter(c => !c[2]).length;
+    const cell = ([, of, number, , format]) => element('td', {class: number ? 'number' : ''},
+      format ? format(of(point)) : number ? shown(of(point)) : of(point) ?? '–');
+    const row = element('tr', {'data-key': point.key});
+    if (point.status === 'refused') {
+      row.append(...COLUMNS.filter(c => !c[2]).map(cell),
+        element('td', {class: 'reason', colspan: COLUMNS.length - texts}, `refused: ${point.reason}`));
+    } else {
+      row.append(...COLUMNS.map(cell));
+      row.addEventListener('click', () => openViewer(point));
+    }
+    return row;
+  }));
+}
+
+function openViewer(point) {
+  tip.hide();
+  const viewer = document.getElementById('viewer');
+  const images = point.images || {};
+  const set = (selector, name) => {
+    const picture = viewer.querySelector(selector);
+    picture.hidden = !images[name];
+    if (images[name]) picture.src = data.pictures[images[name]];
+  };
+  viewer.querySelector('h2').textContent = `${titleOf(point)}, ${sceneName(point.scene)} ${point.width}x${point.height}`;
+  viewer.querySelector('.numbers').textContent = numbersOf(point).slice(1).join(' · ');
+  set('.test', 'image');
+  set('.reference', 'reference');
+  set('.difference', 'difference');
+  viewer.querySelector('.pictures figcaption').textContent = images.difference
+    ? `Difference from the exact picture, times ${data.difference_scale}` : 'No exact picture here';
+  viewer.querySelector('.files').replaceChildren('Full size: ', ...Object.entries(images).flatMap(([role, file], i) =>
+    [...(i > 0 ? [', '] : []), element('a', {href: encodeURI(file)}, role)]));
+  moveDivider(50);
+  if (viewer.showModal && !viewer.open) viewer.showModal();
+}
+
+function moveDivider(share) {
+  const at = Math.min(100, Math.max(0, share));
+  document.querySelector('.slider').style.setProperty('--at', `${at}%`);
+  document.querySelector('#viewer input').value = at;
+}
+
+function wireViewer() {
+  const slider = document.querySelector('.slider');
+  document.querySelector('#viewer input').addEventListener('input', e => moveDivider(Number(e.target.value)));
+  const drag = event => {
+    const box = slider.getBoundingClientRect();
+    moveDivider(100 * (event.clientX - box.left) / box.width);
+  };
+  slider.addEventListener('dragstart', e => e.preventDefault());
+  slider.addEventListener('pointerdown', e => { slider.setPointerCapture(e.pointerId); drag(e); });
+  slider.addEventListener('pointermove', e => { if (e.buttons === 1) drag(e); });
+  const viewer = document.getElementById('viewer');
+  viewer.addEventListener('click', e => { if (e.target === viewer) viewer.close(); });  // the backdrop
+}
+
+// A report can be opened at one point: report.html#KEY.
+function openFromAddress() {
+  const point = data.points.find(p => p.key === location.hash.slice(1));
+  if (!point) return;
+  for (const dimension of DIMENSIONS) view[dimension.id] = dimension.of(point);
+  fillView();
+  if (point.images) openViewer(point);
+}
+
+fillHeader();
+fillTargets();
+if (data.points.length > 0) fillView();
+fillTable();
+wireViewer();
+openFromAddress();
+addEventListener('hashchange', openFromAddress);
+let resizing = 0;
+addEventListener('resize', () => { clearTimeout(resizing); resizing = setTimeout(() => { if (data.points.length > 0) drawCharts(); }, 150); });
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { if (data.points.length > 0) drawCharts(); });

@@ -1,0 +1,102 @@
+#include "engine/experiment/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "engine/image/jpeg.h"
+
+namespace macula::experiment {
+namespace {
+
+/// Above 90 the encoder keeps colours at full resolution; differences of a few steps stay visible.
+constexpr int kJpegQuality = 92;
+
+std::size_t indexOf(const image::Image8& image, int x, int y, int channel) {
+  return (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+          static_cast<std::size_t>(x)) *
+             static_cast<std::size_t>(image.channels) +
+         static_cast<std::size_t>(channel);
+}
+
+/// The mean of image[x0, x1) x [y0, y1), with parts of pixels at the borders.
+double areaMean(const image::Image8& image, double x0, double x1, double y0, double y1,
+                int channel) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int y = static_cast<int>(y0); y < image.height && y < y1; ++y) {
+    const double height = std::min(y1, y + 1.0) - std::max(y0, static_cast<double>(y));
+    for (int x = static_cast<int>(x0); x < image.width && x < x1; ++x) {
+      const double part = height * (std::min(x1, x + 1.0) - std::max(x0, static_cast<double>(x)));
+      sum += part * image.pixels[indexOf(image, x, y, channel)];
+      area += part;
+    }
+  }
+  return area > 0.0 ? sum / area : 0.0;
+}
+
+}  // namespace
+
+image::Image8 differenceMap(const image::Image8& reference, const image::Image8& test,
+                            double scale) {
+  if (reference.width != test.width || reference.height != test.height ||
+      reference.channels != test.channels || reference.pixels.size() != test.pixels.size()) {
+    throw std::invalid_argument("a difference of images of two shapes");
+  }
+  image::Image8 map{reference.width, reference.height, reference.channels, {}};
+  map.pixels.reserve(reference.pixels.size());
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    const int difference = std::abs(reference.pixels[i] - test.pixels[i]);
+    map.pixels.push_back(
+        static_cast<std::uint8_t>(std::min(255.0, std::round(difference * scale))));
+  }
+  return map;
+}
+
+image::Image8 shrink(const image::Image8& image, int longest) {
+  const int side = std::max(image.width, image.height);
+  if (side <= longest) return image;
+  const double factor = static_cast<double>(side) / longest;
+  image::Image8 small{std::max(1, static_cast<int>(std::lround(image.width / factor))),
+                      std::max(1, static_cast<int>(std::lround(image.height / factor))),
+                      image.channels,
+                      {}};
+  const double stepX = static_cast<double>(image.width) / small.width;
+  const double stepY = static_cast<double>(image.height) / small.height;
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      for (int c = 0; c < image.channels; ++c) {
+        const double mean =
+            areaMean(image, x * stepX, (x + 1) * stepX, y * stepY, (y + 1) * stepY, c);
+        small.pixels.push_back(static_cast<std::uint8_t>(std::lround(mean)));
+      }
+    }
+  }
+  return small;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      group = group << 8U | (j < count ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      text += j <= count ? kDigits[group >> (18U - 6U * j) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+std::string pictureUri(const std::filesystem::path& png, int longest) {
+  const image::Image8 small = shrink(image::toImage8(image::readImage(png)), longest);
+  return "data:image/jpeg;base64," + base64(image::encodeJpeg(small, kJpegQuality));
+}
+
+}  // namespace macula::experiment

@@ -1,0 +1,28 @@
+// Pictures of a report: difference maps, smaller copies, data URIs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/image/image.h"
+
+namespace macula::experiment {
+
+/// |reference - test| of each channel times `scale`, clamped to 255. Three channels.
+/// @throws std::invalid_argument where the sizes differ
+[[nodiscard]] image::Image8 differenceMap(const image::Image8& reference, const image::Image8& test,
+                                          double scale);
+
+/// The image with its longest side at most `longest`: every pixel the mean of the area that it
+/// covers, of display values. Smaller images stay as they are.
+[[nodiscard]] image::Image8 shrink(const image::Image8& image, int longest);
+
+/// RFC 4648, with padding.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+/// "data:image/jpeg;base64,..." of a PNG file, shrunk.
+/// @throws InputError where the file cannot be read
+[[nodiscard]] std::string pictureUri(const std::filesystem::path& png, int longest);
+
+}  // namespace macula::experiment

@@ -1,0 +1,40 @@
+// One measured point: a JSON object, as a line of points.jsonl and in results.json. README.md of
+// this folder has the table of its keys.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/experiment/plan.h"
+
+namespace macula::experiment {
+
+using Point = nlohmann::ordered_json;
+
+/// How the numbers of a point came about.
+inline constexpr const char* kMeasured = "measured";
+inline constexpr const char* kOracle = "oracle";    ///< computed from all fragments; no time
+inline constexpr const char* kRefused = "refused";  ///< "reason" says why
+
+/// The keys of every point: where it stands in the experiment.
+[[nodiscard]] Point startPoint(const Experiment& experiment, const Group& group, const Batch& batch,
+                               const PointPlan& plan, std::string_view status);
+
+/// {"median", "p5", "p95"} of at least one value.
+[[nodiscard]] Point spreadOf(std::span<const double> values);
+
+/// Names of all metrics: columns of results.csv that targets can use.
+[[nodiscard]] std::vector<std::string> metricNames();
+
+/// A number of a point by its metric's name ("ms.transparency" is the median; "ms.passes.NAME" that
+/// of a pass); none where it does not apply.
+[[nodiscard]] std::optional<double> metricOf(const Point& point, std::string_view metric);
+
+/// results.csv: a header and one line a point. RFC 4180, lines end with "\n".
+[[nodiscard]] std::string toCsv(std::span<const Point> points);
+
+}  // namespace macula::experiment

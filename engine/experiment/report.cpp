@@ -1,0 +1,133 @@
+#include "engine/experiment/report.h"
+
+#include <map>
+#include <string_view>
+
+#include "engine/core/file.h"
+#include "engine/experiment/picture.h"
+
+namespace macula::experiment {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON inside a <script> must not close it, nor begin a comment.
+std::string scriptSafe(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string htmlSafe(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+/// Replaces {{name}} by the text of that name, in one pass: what is put in is not searched again.
+std::string fill(std::string_view page, const std::map<std::string, std::string>& texts) {
+  std::string filled;
+  while (!page.empty()) {
+    const std::size_t open = page.find("{{");
+    const std::size_t close = open == std::string_view::npos ? open : page.find("}}", open);
+    if (close == std::string_view::npos) break;
+    const auto text = texts.find(std::string(page.substr(open + 2, close - open - 2)));
+    filled += page.substr(0, open);
+    filled += text == texts.end() ? std::string(page.substr(open, close + 2 - open)) : text->second;
+    page.remove_prefix(close + 2);
+  }
+  return filled + std::string(page);
+}
+
+/// Every picture once, by the path that points name it by.
+Json picturesOf(const Results& results, const std::filesystem::path& folder) {
+  Json pictures = Json::object();
+  for (const Point& point : results.points) {
+    if (!point.contains("images")) continue;
+    for (const auto& [role, file] : point["images"].items()) {
+      const std::string name = file.get<std::string>();
+      if (!pictures.contains(name)) {
+        pictures[name] = pictureUri(folder / name, results.experiment->reportPixels);
+      }
+    }
+  }
+  return pictures;
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const Results& results) {
+  const Experiment& experiment = *results.experiment;
+  Json studies = Json::array();
+  for (const Study& study : experiment.studies) {
+    studies.push_back({{"id", study.id},
+                       {"title", study.title},
+                       {"camera", study.camera},
+                       {"gaze", study.gaze},
+                       {"frames", study.frames}});
+  }
+  Json variants = Json::array();
+  for (const Variant& variant : experiment.variants) {
+    variants.push_back({{"id", variant.id}, {"label", variant.label}});
+  }
+  Json skipped = Json::array();
+  for (const Skipped& entry : results.skipped) {
+    skipped.push_back({{"what", entry.what}, {"reason", entry.reason}});
+  }
+  const Provenance& p = results.provenance;
+  return {{"schema", 1},
+          {"title", experiment.title},
+          {"description", experiment.description},
+          {"commit", p.commit},
+          {"date", p.date},
+          {"machine", {{"processor", p.processor}, {"cores", p.cores}}},
+          {"gl", {{"renderer", p.renderer}, {"version", p.version}, {"time_source", p.timeSource}}},
+          {"warm_up_rounds", kWarmUpRounds},
+          {"difference_scale", experiment.differenceScale},
+          {"studies", studies},
+          {"variants", variants},
+          {"skipped", skipped},
+          {"targets", toJson(std::span<const TargetRow>(results.targets))},
+          {"points", results.points},
+          {"experiment", experiment.text}};
+}
+
+std::string reportPage(const Results& results, const std::filesystem::path& folder,
+                       const std::filesystem::path& assets) {
+  const std::filesystem::path report = assets / "report";
+  const std::filesystem::path vendor = report / "vendor";
+  Json data = toJson(results);
+  data["pictures"] = picturesOf(results, folder);
+  const std::map<std::string, std::string> texts{
+      {"title", htmlSafe(results.experiment->title)},
+      {"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
+      {"licence", readTextFile(vendor / "uPlot.LICENSE")},
+      {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
+      {"data", scriptSafe(data)},
+      {"script", readTextFile(report / "charts.js") + readTextFile(report / "report.js")}};
+  return fill(readTextFile(report / "report.html"), texts);
+}
+
+}  // namespace macula::experiment

@@ -1,0 +1,183 @@
+#include "engine/experiment/study.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+
+namespace macula::experiment {
+namespace {
+
+constexpr int kMaxSide = 16384;  ///< as --size
+constexpr std::int64_t kMaxSeed = 2147483647;
+constexpr int kMaxFrames = 10000;
+constexpr double kMostKAve = 4096.0;  ///< the ranges of oit.kAve and oit.memoryMiB
+constexpr double kMostMiB = 8192.0;
+constexpr double kLeastBudget = 1e-6;
+/// More points than anybody waits for: a slip in a list, not a plan.
+constexpr std::size_t kMostPoints = 100000;
+
+Size parseSize(const std::string& text, const std::string& place) {
+  Size size;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, size.width);
+  const bool cross = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
+  const auto second = cross ? std::from_chars(first.ptr + 1, end, size.height) : first;
+  const auto fits = [](int side) { return side >= 1 && side <= kMaxSide; };
+  if (!cross || second.ec != std::errc{} || second.ptr != end || !fits(size.width) ||
+      !fits(size.height)) {
+    failInput("{}: sizes: '{}' is no size; write \"WIDTHxHEIGHT\" with sides from 1 to {}", place,
+              oneLine(text), kMaxSide);
+  }
+  return size;
+}
+
+Budget readBudget(const toml::table& table, std::string_view file) {
+  TableReader reader(table, file);
+  Budget budget;
+  int kinds = 0;
+  const auto take = [&](const char* key, Budget::Kind kind, double most) {
+    if (reader.has(key)) {
+      ++kinds;
+      budget.kind = kind;
+    }
+    reader.number(key, budget.value, kLeastBudget, most);
+  };
+  take("k_ave", Budget::Kind::KAve, kMostKAve);
+  take("mib", Budget::Kind::MiB, kMostMiB);
+  take("share", Budget::Kind::Share, 1.0);
+  reader.texts("scenes", budget.scenes);
+  reader.finish();
+  if (kinds != 1) {
+    failInput("{}: a budget is one of {{ k_ave = 2 }}, {{ mib = 35 }} and {{ share = 0.3 }}",
+              reader.place());
+  }
+  return budget;
+}
+
+void requireUnique(const std::vector<std::string>& names, std::string_view what,
+                   const std::string& place) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i)) {
+      failInput("{}: {} '{}' stands twice; keep one", place, what, oneLine(names[i]));
+    }
+  }
+}
+
+/// Lists whose members would make the same point twice.
+void requireDistinct(const Study& study) {
+  requireUnique(study.scenes, "scene", study.place);
+  requireUnique(study.lights, "light", study.place);
+  std::vector<std::string> texts;
+  for (const Size& size : study.sizes)
+    texts.push_back(fmt::format("{}x{}", size.width, size.height));
+  requireUnique(texts, "size", study.place);
+  texts.clear();
+  for (const std::int64_t seed : study.seeds) texts.push_back(std::to_string(seed));
+  requireUnique(texts, "seed", study.place);
+  for (const std::string& scene : study.scenes) {
+    texts.clear();
+    for (const Budget& budget : study.budgets) {
+      if (budget.appliesTo(scene)) texts.push_back(budget.label());
+    }
+    requireUnique(texts, "for one scene the budget", study.place);
+  }
+}
+
+void requireFewEnough(const Study& study) {
+  std::size_t points = 1;
+  for (const std::size_t count :
+       {study.scenes.size(), study.sizes.size(), study.seeds.size(), study.lights.size(),
+        study.variants.size(), std::max<std::size_t>(1, study.budgets.size())}) {
+    points = points > kMostPoints ? points : points * count;
+  }
+  if (points > kMostPoints) {
+    failInput("{}: its lists make more than {} points; shorten them", study.place, kMostPoints);
+  }
+}
+
+void completeCompare(Study& study) {
+  if (study.compare.empty()) {
+    study.compare = {study.variants};
+    return;
+  }
+  study.comparesByList = true;
+  std::vector<std::string> all;
+  for (const auto& list : study.compare) all.insert(all.end(), list.begin(), list.end());
+  requireUnique(all, "in compare the variant", study.place);
+  for (const std::string& id : all) requireKnown(id, study.variants, "variant", study.place);
+  std::vector<std::string> rest;
+  for (const std::string& id : study.variants) {
+    if (std::find(all.begin(), all.end(), id) == all.end()) rest.push_back(id);
+  }
+  if (!rest.empty()) study.compare.push_back(rest);
+}
+
+}  // namespace
+
+void requireKnown(const std::string& name, const std::vector<std::string>& known,
+                  std::string_view what, std::string_view place) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  failInput("{}: unknown {} '{}'; the nearest is '{}'", place, what, oneLine(name),
+            nearestName(name, known));
+}
+
+void readStudyKeys(TableReader& reader, Study& study) {
+  reader.texts("scenes", study.scenes);
+  std::vector<std::string> sizes;
+  reader.texts("sizes", sizes);
+  if (!sizes.empty()) study.sizes.clear();
+  for (const std::string& size : sizes) {
+    study.sizes.push_back(parseSize(size, reader.place("sizes")));
+  }
+  reader.integers("seeds", study.seeds, 0, kMaxSeed);
+  reader.texts("lights", study.lights);
+  reader.text("camera", study.camera);
+  reader.text("gaze", study.gaze);
+  reader.integer("frames", study.frames, 1, kMaxFrames);
+  reader.textLists("compare", study.compare);
+  if (reader.has("budgets")) study.budgets.clear();
+  const std::string place = reader.place();
+  const std::string file = place.substr(0, place.rfind(':'));
+  for (const toml::table* table : reader.tables("budgets")) {
+    study.budgets.push_back(readBudget(*table, file));
+  }
+  if (const toml::table* settings = reader.table("settings")) study.settings.push_back(settings);
+}
+
+void completeStudy(Study& study, const std::vector<Variant>& variants) {
+  std::vector<std::string> known;
+  for (const Variant& variant : variants) known.push_back(variant.id);
+  if (study.variants.empty()) study.variants = known;
+  for (const std::string& id : study.variants) requireKnown(id, known, "variant", study.place);
+  requireUnique(study.variants, "variant", study.place);
+  if (study.scenes.empty()) {
+    failInput("{}: no scenes; add scenes = [\"smoke\"]", study.place);
+  }
+  for (const Budget& budget : study.budgets) {
+    for (const std::string& scene : budget.scenes) {
+      requireKnown(scene, study.scenes, "scene of a budget", study.place);
+    }
+  }
+  for (const Variant& variant : variants) {
+    const bool used =
+        std::find(study.variants.begin(), study.variants.end(), variant.id) != study.variants.end();
+    if (used && variant.budgets && study.budgets.empty()) {
+      failInput(
+          "{}: variant '{}' has budgets = true and there are none; add budgets = "
+          "[{{ k_ave = 2 }}]",
+          study.place, variant.id);
+    }
+  }
+  if (study.sizes.empty()) study.sizes = {{256, 256}};
+  if (study.seeds.empty()) study.seeds = {1};
+  if (study.lights.empty()) study.lights = {kOwnLight};
+  requireFewEnough(study);
+  requireDistinct(study);
+  completeCompare(study);
+}
+
+}  // namespace macula::experiment

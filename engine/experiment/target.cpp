@@ -1,0 +1,218 @@
+#include "engine/experiment/target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace macula::experiment {
+namespace {
+
+using State = TargetRow::State;
+
+std::string textOf(const Point& point, const char* key) {
+  const auto found = point.find(key);
+  return found != point.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+bool listed(const std::vector<std::string>& list, const std::string& name) {
+  return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Where a point stands, budget apart.
+std::string placeOf(const Point& point) {
+  const std::filesystem::path scene = textOf(point, "scene");
+  std::string text = fmt::format("{} {}x{}", scene.stem().string(), point["width"].get<int>(),
+                                 point["height"].get<int>());
+  if (textOf(point, "light") != kOwnLight) text += " " + textOf(point, "light");
+  if (point["seed"].get<std::int64_t>() != 1) {
+    text += fmt::format(" seed {}", point["seed"].get<std::int64_t>());
+  }
+  return text;
+}
+
+bool sameGroup(const Point& a, const Point& b) {
+  return a["study"] == b["study"] && a["scene"] == b["scene"] && a["width"] == b["width"] &&
+         a["height"] == b["height"] && a["seed"] == b["seed"] && a["light"] == b["light"];
+}
+
+class Judge {
+ public:
+  Judge(const Target& target, std::span<const Point> points) : target_(target), points_(points) {}
+
+  std::vector<TargetRow> rows() const {
+    const std::string& lead =
+        target_.kind == Target::Kind::Order ? target_.against.front() : target_.of;
+    std::vector<TargetRow> all;
+    for (const Point& point : points_) {
+      if (textOf(point, "variant") != lead || !listed(target_.studies, textOf(point, "study")) ||
+          !listed(target_.scenes, textOf(point, "scene")) ||
+          !listed(target_.lights, textOf(point, "light")) ||
+          !listed(target_.budgets, textOf(point, "budget"))) {
+        continue;
+      }
+      all.push_back(rowOf(point));
+    }
+    if (all.empty()) {
+      all.push_back({&target_,
+                     "",
+                     "",
+                     {},
+                     State::Unmeasured,
+                     "no point of " + lead + " on these scenes and budgets"});
+    }
+    return all;
+  }
+
+ private:
+  TargetRow rowOf(const Point& point) const {
+    TargetRow row{&target_, textOf(point, "study"), placeOf(point), {}, State::Unmeasured, {}};
+    if (!textOf(point, "budget").empty()) row.where += ", " + textOf(point, "budget");
+    if (target_.kind == Target::Kind::Order) {
+      judgeOrder(point, row);
+      return row;
+    }
+    const auto value = metricOf(point, target_.metric);
+    if (!value) {
+      row.note = missing(point, target_.of);
+      return row;
+    }
+    if (target_.kind == Target::Kind::Ratio) {
+      judgeRatio(point, *value, row);
+    } else {
+      judgeValue(point, *value, row);
+    }
+    return row;
+  }
+
+  /// The point of another variant beside this one: at its budget, else without one.
+  const Point* partner(const Point& point, const std::string& variant) const {
+    const Point* without = nullptr;
+    for (const Point& other : points_) {
+      if (textOf(other, "variant") != variant || !sameGroup(point, other)) continue;
+      if (textOf(other, "budget") == textOf(point, "budget")) return &other;
+      if (textOf(other, "budget").empty()) without = &other;
+    }
+    return without;
+  }
+
+  /// Times may only be divided where the frames took turns.
+  [[nodiscard]] bool comparable(const Point& a, const Point& b) const {
+    return !target_.metric.starts_with("ms.") || textOf(a, "batch") == textOf(b, "batch");
+  }
+
+  std::string missing(const Point& point, const std::string& variant) const {
+    const std::string reason = textOf(point, "reason");
+    return variant + ": " + (reason.empty() ? "no " + target_.metric : reason);
+  }
+
+  void settle(double value, TargetRow& row) const {
+    row.value = value;
+    const bool met = target_.atMost ? value <= target_.limit : value >= target_.limit;
+    row.state = met ? State::Met : State::Missed;
+  }
+
+  void judgeRatio(const Point& point, double value, TargetRow& row) const {
+    std::optional<double> least;
+    std::string of;
+    std::string gaps;
+    for (const std::string& id : target_.against) {
+      const Point* other = partner(point, id);
+      if (other != nullptr && !comparable(point, *other)) {
+        gaps += "; " + id + " did not take turns with " + target_.of + ", name both in compare";
+        continue;
+      }
+      const auto number = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
+      if (number && (!least || *number < *least)) {
+        least = number;
+        of = id;
+      } else if (!number) {
+        gaps += "; " + (other == nullptr ? id + " has no point here" : missing(*other, id));
+      }
+    }
+    if (!least) {
+      row.note = gaps.substr(2);
+      return;
+    }
+    row.note = fmt::format("{:.4g} ({}) / {:.4g} ({}){}", value, target_.of, *least, of, gaps);
+    if (*least > 0.0) {
+      settle(value / *least, row);
+    } else {
+      row.note += ": nothing to divide by";
+    }
+  }
+
+  void judgeValue(const Point& point, double value, TargetRow& row) const {
+    settle(value, row);
+    const auto budget = metricOf(point, "bytes.budget");
+    const auto generated = metricOf(point, "fragments.generated");
+    const auto merged = metricOf(point, "fragments.merged").value_or(0.0);
+    const auto lost = metricOf(point, "fragments.lost");
+    const bool all = budget && generated && lost && *lost + merged == 0.0;
+    if (target_.unlessAllStored && all && row.state == State::Missed) {
+      row.state = State::Met;
+      row.note = "every fragment is stored";
+    }
+  }
+
+  void judgeOrder(const Point& point, TargetRow& row) const {
+    bool falling = true;
+    std::optional<double> before;
+    for (const std::string& id : target_.against) {
+      const Point* other = id == textOf(point, "variant") ? &point : partner(point, id);
+      const auto value = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
+      if (!value) {
+        row.note = other == nullptr ? id + " has no point here" : missing(*other, id);
+        return;
+      }
+      falling = falling && (!before || *value < *before);
+      row.note += fmt::format("{}{:.4g} ({})", before ? ", " : "", *value, id);
+      before = value;
+    }
+    if (!falling) row.note = "not falling: " + row.note;
+    row.state = falling ? State::Met : State::Missed;
+  }
+
+  const Target& target_;
+  std::span<const Point> points_;
+};
+
+}  // namespace
+
+std::string_view nameOf(TargetRow::State state) {
+  switch (state) {
+    case State::Met:
+      return "met";
+    case State::Missed:
+      return "missed";
+    case State::Unmeasured:
+      break;
+  }
+  return "unmeasured";
+}
+
+std::vector<TargetRow> judge(const Experiment& experiment, std::span<const Point> points) {
+  std::vector<TargetRow> rows;
+  for (const Target& target : experiment.targets) {
+    for (TargetRow& row : Judge(target, points).rows()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+nlohmann::ordered_json toJson(std::span<const TargetRow> rows) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const TargetRow& row : rows) {
+    all.push_back({{"name", row.target->name},
+                   {"papers", row.target->papers},
+                   {"metric", row.target->metric},
+                   {"study", row.study},
+                   {"where", row.where},
+                   {"value", row.value ? nlohmann::ordered_json(*row.value) : nullptr},
+                   {"limit", row.target->limitText()},
+                   {"state", nameOf(row.state)},
+                   {"note", row.note}});
+  }
+  return all;
+}
+
+}  // namespace macula::experiment

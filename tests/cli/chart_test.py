@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+"""macula chart from outside: results, report in a browser without network, interruption, refusals."""
+import csv
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+MACULA = sys.argv[1]
+SOURCE = os.environ["MACULA_SOURCE"]
+TINY = """title = "Tiny </script> & <b>small</b>"
+scenes = ["layers-16", "nowhere.glb"]
+sizes = ["64x64"]
+frames = 2
+budgets = [{ k_ave = 4 }, { share = 0.5 }, { mib = 8000 }]
+[[variant]]
+id = "exact"
+settings = { oit.method = "ab-sbuffer" }
+[[variant]]
+id = "limited"
+settings = { oit.method = "kb-variable" }
+budgets = true
+[[target]]
+name = "exact means exact"
+kind = "value"
+metric = "rmse"
+of = "exact"
+limit = "<= 0"
+[[target]]
+name = "a budget that nothing can meet"
+kind = "value"
+metric = "fragments.loss"
+of = "limited"
+budgets = ["k_ave 4"]
+limit = "<= 0.01"
+"""
+
+
+# What a reader does with the report, all of it.
+USE = """<script>
+for (const select of document.querySelectorAll('#view select')) {
+  for (let i = select.options.length - 1; i >= 0; --i) {
+    select.selectedIndex = i;
+    select.dispatchEvent(new Event('change'));
+  }
+}
+for (let i = 0; i < document.querySelectorAll('.tabs button').length; ++i) document.querySelectorAll('.tabs button')[i].click();
+for (let i = 0; i < 2 * document.querySelectorAll('#table th').length; ++i) document.querySelectorAll('#table th')[i >> 1].click();
+setTimeout(() => {  // charts draw after the present task
+const viewer = document.getElementById('viewer');
+let pictures = 0;
+for (const opener of document.querySelectorAll('.dot, #table tbody tr')) {
+  opener.dispatchEvent(new MouseEvent('mousemove', {clientX: 5, clientY: 5, bubbles: true}));
+  opener.click();
+  if (!viewer.open) continue;
+  if ([...viewer.querySelectorAll('img')].every(i => i.src.startsWith('data:image/jpeg'))) ++pictures;
+  viewer.querySelector('input').value = 30;
+  viewer.querySelector('input').dispatchEvent(new Event('input'));
+  viewer.close();
+}
+document.body.append(`used: ${pictures} pictures, divider at ${document.querySelector('.slider').style.getPropertyValue('--at')}`);
+}, 300);
+</script></body>"""
+
+
+def chart(folder, experiment, *options, check=True):
+    path = os.path.join(folder, "experiment.toml")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(experiment)
+    return subprocess.run([MACULA, "chart", path, "--out", os.path.join(folder, "out"), *options],
+                          check=check, capture_output=True, text=True, cwd=folder)
+
+
+def results(folder):
+    with open(os.path.join(folder, "out", "results.json"), encoding="utf-8") as f:
+        return json.load(f)
+
+
+def check_results(folder):
+    done = chart(folder, TINY)
+    assert "4 points: 4 measured now, 0 kept, 1 refused" in done.stdout, done.stdout
+    assert "nowhere.glb: no such file" in done.stdout, done.stdout
+    made = results(folder)
+    assert [(p["variant"], p["budget"]) for p in made["points"]] == [
+        ("exact", None), ("limited", "k_ave 4"), ("limited", "share 0.5"), ("limited", "8000 MiB")]
+    exact, narrow, half, refused = made["points"]
+    assert exact["error"]["rmse"] == 0 and exact["error"]["psnr_db"] is None, exact["error"]
+    assert narrow["bytes"]["budget"] == 4 * 64 * 64 * 16
+    assert half["bytes"]["budget"] == 0.5 * 16 * 64 * 64 * 16, half["bytes"]
+    assert narrow["error"]["rmse"] > 0 and narrow["fragments"]["loss"] > 0
+    assert narrow["fragments"]["stored"] * 16 <= narrow["bytes"]["budget"]
+    assert refused["status"] == "refused" and "lower" in refused["reason"], refused
+    for point in (exact, narrow, half):
+        for spread in (point["ms"]["total"], point["ms"]["transparency"]):
+            assert 0 < spread["p5"] <= spread["median"] <= spread["p95"], spread
+        assert point["rounds"] == 2
+        for file in point["images"].values():
+            assert os.path.exists(os.path.join(folder, "out", file)), file
+    assert [t["state"] for t in made["targets"]] == ["met", "missed"], made["targets"]
+    with open(os.path.join(folder, "out", "results.csv"), encoding="utf-8", newline="") as f:
+        rows = list(csv.DictReader(f))
+    assert len(rows) == 4
+    assert float(rows[1]["rmse"]) == narrow["error"]["rmse"]
+    assert float(rows[1]["ms.transparency"]) == narrow["ms"]["transparency"]["median"]
+    assert rows[3]["reason"] == refused["reason"]
+
+
+def check_oracles(folder):
+    """With room for every fragment an oracle's image is the exact one; with less it is not."""
+    chart(folder, TINY.replace("[[target]]", """[[variant]]
+id = "optimal-k"
+oracle = "optimal-k"
+budgets = true
+[[variant]]
+id = "least-rmse-tail"
+oracle = "least-rmse-tail"
+budgets = true
+[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }"))
+    points = [p for p in results(folder)["points"] if p["variant"] in ("optimal-k", "least-rmse-tail")]
+    assert len(points) == 6
+    if all(p["status"] == "refused" and "not part of this build" in p["reason"] for p in points):
+        print("skipped: this build has no oracles")
+        return
+    for point in points:
+        assert point["status"] == "oracle" and "ms" not in point, point
+        rmse, fragments = point["error"]["rmse"], point["fragments"]
+        # half-floats in storage: 11 bits
+        assert rmse < 0.002 if point["budget"] == "share 1" else rmse > 0.005, (point["variant"], rmse)
+        assert fragments["generated"] == 16 * 64 * 64, fragments
+        assert (fragments["lost"] == 0) == (point["budget"] == "share 1" or "tail" in point["variant"])
+
+
+def check_kept(folder):
+    before = results(folder)["points"]
+    assert "4 points: 0 measured now, 4 kept" in chart(folder, TINY).stdout
+    assert results(folder)["points"] == before, "kept points change no number"
+    assert json.loads(chart(folder, TINY, "--json", "-").stdout) == results(folder)
+    changed = chart(folder, TINY.replace("frames = 2", "frames = 3")).stdout
+    assert "4 points: 4 measured now, 0 kept" in changed, changed
+    chart(folder, TINY)
+    lost = before[1]["images"]["image"]
+    os.remove(os.path.join(folder, "out", lost))
+    assert "4 points: 4 measured now, 0 kept" in chart(folder, TINY).stdout, "a lost image"
+    assert os.path.exists(os.path.join(folder, "out", lost))
+
+
+def opened(browser, folder, page):
+    """The page after its scripts have run, without a network."""
+    profile = os.path.join(folder, "profile")
+    done = subprocess.run(
+        [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1600",
+         f"--user-data-dir={profile}", "--proxy-server=127.0.0.1:9", "--virtual-time-budget=5000",
+         "--dump-dom", "file://" + page], capture_output=True, text=True, timeout=240)
+    assert "<html" in done.stdout, done.stderr[-2000:]
+    errors = re.search(r'<p id="script-errors"[^>]*>(.*?)</p>', done.stdout, re.S)
+    assert errors and errors.group(1) == "" and "hidden" in errors.group(0), errors and errors.group(0)
+    return done.stdout
+
+
+def check_report(folder):
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is None:
+        print("skipped: no chromium for the report (apt-get install chromium)")
+        return False
+    page = os.path.join(folder, "out", "report.html")
+    with open(page, encoding="utf-8") as f:
+        text = f.read()
+    addresses = set(re.findall(r"""(?:src|href)=["']?(?!data:)([a-z]+:)?//[^"' >]+""", text))
+    assert not addresses, f"the page asks the network: {addresses}"
+    dom = opened(browser, folder, page)
+    for chart_id, count in (("by-time", 3), ("by-bytes", 3)):
+        at = dom.index(f'id="{chart_id}"')
+        part = dom[at:dom.index("</figure>", at)]
+        assert "<canvas" in part, f"{chart_id} is not drawn"
+        assert part.count('class="dot') == count, f"{chart_id}: {part.count('class=')}"
+        assert "<text" in part, f"{chart_id} has no labels"
+    assert dom.count('class="bar-row"') == 6, "three rows in each of two bar charts"
+    table = dom[dom.index('id="table"'):]
+    made = results(folder)["points"]
+    for point in made:
+        assert f'<tr data-key="{point["key"]}"' in table, point["key"]
+    assert "refused: " in table
+    assert "MISSED" in dom and "1 met, 1 missed" in dom
+    assert "nowhere.glb" in dom
+    assert "<h1>Tiny &lt;/script&gt; &amp; &lt;b&gt;small&lt;/b&gt;</h1>" in dom
+    used = page.replace("report.html", "used.html")
+    with open(used, "w", encoding="utf-8") as f:
+        f.write(text.replace("</body>", USE))
+    # three points in two charts and three rows
+    found = re.search(r"used: \d+ pictures, divider at [^<]*", opened(browser, folder, used))
+    assert found and found.group(0) == "used: 9 pictures, divider at 30%", found
+    return True
+
+
+def check_interrupted(folder):
+    """Killed in the middle: what was finished stays, the rest is measured by the next run."""
+    scenes = ", ".join(f'"layers-{n}"' for n in range(2, 12))
+    experiment = TINY.replace('"layers-16", "nowhere.glb"', scenes).replace("{ mib = 8000 }", "")
+    experiment = experiment.replace("frames = 2", "frames = 60")
+    path = os.path.join(folder, "experiment.toml")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(experiment)
+    points = os.path.join(folder, "out", "points.jsonl")
+    run = subprocess.Popen([MACULA, "chart", path, "--out", os.path.join(folder, "out")],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=folder)
+    while run.poll() is None and (not os.path.exists(points) or os.path.getsize(points) == 0):
+        time.sleep(0.005)
+    run.kill()
+    run.wait()
+    assert not os.path.exists(os.path.join(folder, "out", "report.html")), "killed too late"
+    with open(points, encoding="utf-8") as f:
+        finished = [json.loads(line)["key"] for line in f if line.endswith("\n")]
+    assert 3 <= len(finished) < 30, len(finished)
+    with open(points, "a", encoding="utf-8") as f:
+        f.write('{"key":"half a li')
+    done = chart(folder, experiment)
+    assert f"30 points: {30 - len(finished)} measured now, {len(finished)} kept" in done.stdout, done.stdout
+    keys = [p["key"] for p in results(folder)["points"]]
+    assert len(set(keys)) == 30 and set(finished) <= set(keys)
+    return experiment
+
+
+def check_asked_to_stop(folder, experiment):
+    """SIGINT: the results so far are written, and the program says how to go on."""
+    shutil.rmtree(os.path.join(folder, "out"))
+    points = os.path.join(folder, "out", "points.jsonl")
+    run = subprocess.Popen([MACULA, "chart", os.path.join(folder, "experiment.toml"), "--out",
+                            os.path.join(folder, "out")], stdout=subprocess.DEVNULL,
+                           stderr=subprocess.PIPE, text=True, cwd=folder)
+    while run.poll() is None and (not os.path.exists(points) or os.path.getsize(points) == 0):
+        time.sleep(0.005)
+    run.send_signal(signal.SIGINT)
+    _, stderr = run.communicate()
+    assert run.returncode == 2 and stderr.startswith("macula: interrupted"), (run.returncode, stderr)
+    assert 3 <= len(results(folder)["points"]) < 30
+    assert "30 points" in chart(folder, experiment).stdout
+
+
+def check_refusals(folder):
+    def refuses(experiment, word):
+        done = chart(folder, experiment, check=False)
+        lines = done.stderr.splitlines()
+        assert done.returncode == 2 and len(lines) == 1 and word in lines[0], done.stderr
+        print("ok", lines[0])
+
+    refuses(TINY.replace("oit.method = \"kb-v", "oit.metod = \"kb-v"), "experiment.toml:11: ")
+    refuses(TINY.replace("kb-variable", "kb-variabel"), "experiment.toml:11: ")
+    refuses(TINY.replace("layers-16", "smok"), "smok")
+    refuses(TINY.replace("kb-variable\" }", "kb-variable\", frame.seed = 7 }"), "decides what is loaded")
+    refuses(TINY.replace("frames = 2", "frame = 2"), "'frames'")
+    done = subprocess.run([MACULA, "chart", "quik", "--out", folder], capture_output=True, text=True)
+    assert done.returncode == 2 and "did you mean 'quick'" in done.stderr, done.stderr
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        check_results(folder)
+        seen = check_report(folder)
+        check_kept(folder)
+        check_refusals(folder)
+        check_oracles(folder)
+    with tempfile.TemporaryDirectory() as folder:
+        check_asked_to_stop(folder, check_interrupted(folder))
+    print("chart: all checks passed", "" if seen else "(the report was not opened)")
+
+
+main()

@@ -1,0 +1,188 @@
+#include "chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <span>
+#include <thread>
+
+#include "chart_run.h"
+#include "chart_settings.h"
+#include "commands.h"
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/core/nearest.h"
+#include "engine/core/sha256.h"
+#include "macula_version.h"
+
+namespace macula::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace experiment;
+
+/// A file as named, or the ready-made experiment of that name.
+fs::path findExperiment(const std::string& name) {
+  const fs::path path(name);
+  if (path.extension() == ".toml" || path.has_parent_path() || fs::is_regular_file(path)) {
+    return path;
+  }
+  const fs::path folder = dataFolder("assets") / "experiments";
+  const fs::path ready = folder / (name + ".toml");
+  if (fs::exists(ready)) return ready;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  failInput("{}: no such experiment; did you mean '{}'? Otherwise name a .toml file", name,
+            nearestName(name, names));
+}
+
+std::string hashOf(std::string_view bytes) {
+  return sha256Hex(std::as_bytes(std::span(bytes)));
+}
+
+/// The program itself, its shaders and where they run: numbers of another are not these numbers.
+std::string programFingerprint(const passes::Machine& machine) {
+  std::string all = fmt::format("{} {} {} {} ", MACULA_COMMIT, machine.capabilities.renderer,
+                                machine.capabilities.version, std::thread::hardware_concurrency());
+  all += hashOf(readTextFile(fs::read_symlink("/proc/self/exe")));
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(dataFolder("shaders"))) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) all += hashOf(readTextFile(file));
+  return hashOf(all);
+}
+
+Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& machine) {
+  Fingerprint fingerprint{programFingerprint(machine), {}};
+  std::error_code error;
+  const auto add = [&](const std::string& name) {
+    if (fs::is_regular_file(name, error)) fingerprint.files[name] = hashOf(readTextFile(name));
+  };
+  for (const Study& study : experiment.studies) {
+    for (const std::string& scene : study.scenes) add(scene);
+    add(study.camera);
+    add(study.gaze);
+  }
+  return fingerprint;
+}
+
+std::string processorName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+Provenance provenanceOf(const passes::Machine& machine) {
+  const std::time_t now = std::time(nullptr);
+  char date[16];
+  std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+  return {MACULA_COMMIT,
+          processorName(),
+          static_cast<int>(std::thread::hardware_concurrency()),
+          machine.capabilities.renderer,
+          machine.capabilities.version,
+          machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
+                                                        : "GL timer queries",
+          date};
+}
+
+std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
+                           std::span<const Group> groups) {
+  std::vector<Point> points;
+  for (const Group& group : groups) {
+    for (const Batch& batch : group.batches) {
+      for (const PointPlan& plan : batch.points) {
+        const Point* found = file.find(plan.key);
+        if (found == nullptr) continue;
+        points.push_back(*found);
+        points.back()["label"] = experiment.variants[plan.variant].label;  // may have been reworded
+      }
+    }
+  }
+  return points;
+}
+
+void writeResults(const Results& results, const fs::path& folder) {
+  writeFileAtomically(folder / "results.csv", toCsv(results.points));
+  writeFileAtomically(folder / "results.json", toJson(results).dump(1) + "\n");
+  writeFileAtomically(folder / "report.html", reportPage(results, folder, dataFolder("assets")));
+}
+
+void printSummary(const Results& results, const ChartRun& run, const fs::path& folder) {
+  std::size_t refused = 0;
+  for (const Point& point : results.points) refused += point["status"] == kRefused ? 1 : 0;
+  for (const Skipped& skipped : run.skipped) {
+    fmt::print("skipped: {}: {}\n", skipped.what, oneLine(skipped.reason));
+  }
+  const Target* before = nullptr;
+  for (const TargetRow& row : results.targets) {
+    if (row.target != before) {
+      fmt::print("{}: {} {}\n", row.target->name, row.target->metric, row.target->limitText());
+    }
+    before = row.target;
+    const std::string value = row.value ? fmt::format("{:.3g}", *row.value) : "";
+    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value,
+               row.where.empty() ? row.note : row.where);
+  }
+  fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
+             run.measured, run.kept, refused, (folder / "report.html").string());
+}
+
+}  // namespace
+
+void chart(const ChartOptions& options) {
+  const fs::path path = findExperiment(options.experiment);
+  const Experiment experiment = parseExperiment(readTextFile(path), path.string());
+  checkExperiment(experiment);
+  const fs::path folder(options.out);
+  makeOutputFolder(folder);
+  PointsFile file(folder / "points.jsonl");
+
+  const window::HeadlessContext context(platformOf(options.platform));
+  passes::Machine machine;
+  const std::vector<Group> groups = expand(experiment, fingerprintOf(experiment, machine));
+  ChartRun run{experiment, folder, file, machine};
+  runGroups(run, groups);
+
+  Results results{
+      &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
+  results.targets = judge(experiment, results.points);
+  writeResults(results, folder);
+  if (run.interrupted) {
+    failInput("interrupted with {} points finished; the same command goes on from there",
+              results.points.size());
+  }
+  writeJson(options.json, toJson(results));
+  if (options.json != "-") printSummary(results, run, folder);
+}
+
+void addChart(CLI::App& root) {
+  auto options = std::make_shared<ChartOptions>();
+  CLI::App* command = root.add_subcommand(
+      "chart", "Runs an experiment: errors, times and bytes of variants, as table and report");
+  command->add_option("experiment", options->experiment,
+                      "A TOML file, or quick or papers (default quick)");
+  command
+      ->add_option("--out", options->out,
+                   "Folder for results.csv, results.json and report.html; finished points in "
+                   "it are kept")
+      ->required();
+  addPlatformOption(*command, options->platform);
+  addJsonOption(*command, options->json);
+  command->callback([options] { chart(*options); });
+}
+
+}  // namespace macula::tools

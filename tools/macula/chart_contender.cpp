@@ -1,0 +1,134 @@
+#include "chart_contender.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/experiment/picture.h"
+#include "engine/measure/image_error.h"
+
+namespace macula::tools {
+namespace {
+
+using experiment::Point;
+
+template <typename T>
+Point orNull(const std::optional<T>& value) {
+  return value ? Point(*value) : Point(nullptr);
+}
+
+}  // namespace
+
+Contender::Contender(std::unique_ptr<VariantSettings> settings, const Stage& stage)
+    : settings_(std::move(settings)), stage_(stage), renderer_(settings_->render, stage.machine) {
+  renderer_.resize(stage.size);
+  renderer_.setScene(stage.gpu);
+}
+
+void Contender::draw(bool measured) {
+  result_ = renderer_.render(stage_.camera, stage_.gaze);
+  if (!measured) return;
+  totalMs_.push_back(result_.totalMs);
+  double sum = 0.0;
+  for (const frame::PassTime& pass : result_.passes) {
+    auto known = std::find_if(passes_.begin(), passes_.end(),
+                              [&](const PassSamples& p) { return p.name == pass.name; });
+    if (known == passes_.end()) known = passes_.insert(known, {std::string(pass.name), {}});
+    known->ms.push_back(pass.ms);
+    if (pass.name.starts_with("oit.")) sum += pass.ms;
+  }
+  transparencyMs_.push_back(sum);
+}
+
+image::Image8 Contender::shown() const {
+  image::Image8 image{stage_.size.x, stage_.size.y, 3, {}};
+  renderer_.readDisplay(image.pixels);
+  return image;
+}
+
+image::ImageF Contender::display() const {
+  image::ImageF linear{stage_.size.x, stage_.size.y, 3, {}, true};
+  renderer_.readLinear(linear.pixels);
+  return measure::toDisplay(linear);
+}
+
+Point Contender::bytes() const {
+  const frame::ResourceBytes sum = renderer_.bytes();
+  Point buffers = Point::object();
+  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
+    const auto resource = static_cast<frame::Resource>(i);
+    const frame::ByteClass kind = frame::infoOf(resource).bytes;
+    if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
+    const std::uint64_t bytes = renderer_.resources().bytesOf(resource);
+    if (bytes > 0) buffers[std::string(frame::nameOf(resource))] = bytes;
+  }
+  return {{"transparency", sum.oit + sum.overhead},
+          {"oit", sum.oit},
+          {"budget", orNull(renderer_.plan().budgetBytes)},
+          {"overhead", sum.overhead},
+          {"gbuffer", sum.gbuffer},
+          {"buffers", buffers}};
+}
+
+/// What of the budget holds fragments or tails, in slots or in a dense target beside them.
+std::optional<double> Contender::budgetUsed() const {
+  const passes::OitPlan& plan = renderer_.plan();
+  if (!plan.budgetBytes || *plan.budgetBytes == 0 || !result_.fragments) return std::nullopt;
+  const std::uint64_t oit = renderer_.bytes().oit;
+  const std::uint64_t dense = oit - std::min(oit, plan.slots * plan.fragmentBytes());
+  const std::uint64_t slots = result_.fragments->stored + result_.tailSlots;
+  const std::uint64_t used = dense + slots * plan.fragmentBytes();
+  return static_cast<double>(used) / static_cast<double>(*plan.budgetBytes);
+}
+
+void Contender::describe(Point& point) const {
+  Point passes = Point::object();
+  for (const PassSamples& pass : passes_) passes[pass.name] = experiment::spreadOf(pass.ms);
+  point["sync"] = renderer_.plan().sorted()
+                      ? Point(passes::nameOf(renderer_.plan().sync))
+                      : Point(nullptr);
+  point["exact"] = result_.exact;
+  point["rounds"] = totalMs_.size();
+  point["ms"] = {{"total", experiment::spreadOf(totalMs_)},
+                 {"transparency", experiment::spreadOf(transparencyMs_)},
+                 {"passes", passes}};
+  point["bytes"] = bytes();
+  point["budget_used"] = orNull(budgetUsed());
+  point["fragments"] = nullptr;
+  if (const auto& f = result_.fragments) {
+    const double loss =
+        f->generated > 0 ? static_cast<double>(f->lost) / static_cast<double>(f->generated) : 0.0;
+    point["fragments"] = {{"generated", f->generated},
+                          {"stored", f->stored},
+                          {"merged", f->merged},
+                          {"lost", f->lost},
+                          {"loss", loss}};
+  }
+  point["k"] = nullptr;
+  if (const auto& k = result_.layers) {
+    point["k"] = {{"min", k->min}, {"max", k->max}, {"mean", k->mean}};
+  }
+  point["deepest"] = result_.deepest > 0 ? Point(result_.deepest) : Point(nullptr);
+  point["recaptures"] = result_.recaptures;
+  point["lock_failures"] = result_.lockFailures;
+  point["settings"] = settings_->registry.toJson();
+}
+
+void describeImage(Point& point, const image::Image8& shown, const image::ImageF& display,
+                   const Reference& reference, double scale, const std::filesystem::path& folder,
+                   const std::string& stem) {
+  const std::string image = "images/" + stem + ".png";
+  image::writePng(folder / image, shown);
+  point["images"] = {{"image", image}};
+  if (reference.file.empty()) {
+    point["error"] = nullptr;
+    return;
+  }
+  const std::string difference = "images/" + stem + "_difference.png";
+  image::writePng(folder / difference, experiment::differenceMap(reference.shown, shown, scale));
+  point["images"]["difference"] = difference;
+  point["images"]["reference"] = reference.file;
+  point["error"] = measure::toJson(measure::compareImages(reference.display, display));
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,307 @@
+#include "chart_run.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <exception>
+#include <new>
+
+#include "chart_contender.h"
+#include "chart_oracle.h"
+#include "engine/core/error.h"
+#include "engine/gaze/source.h"
+
+namespace macula::tools {
+namespace {
+
+using experiment::Batch;
+using experiment::Group;
+using experiment::kWarmUpRounds;
+using experiment::Point;
+using experiment::PointPlan;
+
+volatile std::sig_atomic_t interruptAsked = 0;
+
+/// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program as usual.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interruptAsked = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interruptAsked = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, &oldInterrupt_);
+    sigaction(SIGTERM, &action, &oldTerminate_);
+  }
+  ~InterruptGuard() {
+    sigaction(SIGINT, &oldInterrupt_, nullptr);
+    sigaction(SIGTERM, &oldTerminate_, nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction oldInterrupt_ {};
+  struct sigaction oldTerminate_ {};
+};
+
+bool isFinished(const ChartRun& run, const Batch& batch) {
+  for (const PointPlan& plan : batch.points) {
+    const Point* point = run.file.find(plan.key);
+    if (point == nullptr) return false;
+    if (!point->contains("images")) continue;
+    for (const auto& [role, name] : point->at("images").items()) {
+      if (!std::filesystem::exists(run.folder / name.get<std::string>())) return false;
+    }
+  }
+  return true;
+}
+
+int stepsOf(const ChartRun& run, const Group& group, const Batch& batch) {
+  const int frames = run.experiment.studies[group.study].frames;
+  const int each = batch.oracles ? 1 : kWarmUpRounds + frames + 1;  // and one for its images
+  return each * static_cast<int>(batch.points.size());
+}
+
+/// A group whose scene is loaded.
+class LoadedGroup {
+ public:
+  LoadedGroup(ChartRun& run, const Group& group, ProgressBar& progress)
+      : run_(run),
+        group_(group),
+        study_(run.experiment.studies[group.study]),
+        progress_(progress),
+        loaded_(load()),
+        gpu_(loaded_.scene, loaded_.environment ? &*loaded_.environment : nullptr),
+        stage_{run.machine, gpu_, parseCameraSpec(study_.camera, loaded_.scene).at(0.0),
+               glm::vec2(gaze::parseGazeSpec(study_.gaze)->at(0.0).position),
+               glm::ivec2(group.size.width, group.size.height)} {
+    loaded_ = {};  // it is in GPU memory now
+    drawReference();
+  }
+
+  /// One batch from its settings to its lines in the points file.
+  void measure(const Batch& batch) {
+    std::vector<Point> points = batch.oracles ? askOracles(batch) : measureRounds(batch);
+    if (run_.interrupted) return;
+    run_.measured += points.size();
+    run_.file.append(points);
+  }
+
+ private:
+  LoadedScene load() {
+    VariantSettings shared;
+    shared.applyGroup(run_.experiment, group_);
+    return loadForRendering(group_.scene, shared.render);
+  }
+
+  std::unique_ptr<VariantSettings> makeSettings() const {
+    auto settings = std::make_unique<VariantSettings>();
+    settings->applyGroup(run_.experiment, group_);
+    return settings;
+  }
+
+  std::unique_ptr<Contender> makeReference() const {
+    auto settings = makeSettings();
+    settings->registry.setText("oit.method", "ab-sbuffer", "reference");
+    auto contender = std::make_unique<Contender>(std::move(settings), stage_);
+    contender->draw(false);
+    return contender;
+  }
+
+  void drawReference() {
+    try {
+      const auto contender = makeReference();
+      reference_.shown = contender->shown();
+      reference_.display = contender->display();
+      reference_.file = "images/" + group_.stem + "_reference.png";
+      if (const auto& fragments = contender->result().fragments) {
+        reference_.generated = fragments->generated;
+      }
+      image::writePng(run_.folder / reference_.file, reference_.shown);
+      if (!contender->result().exact) {
+        run_.skipped.push_back({group_.label() + ", reference", "ab-sbuffer was not exact here"});
+      }
+    } catch (const InputError& error) {
+      reference_ = {};
+      run_.skipped.push_back({group_.label() + ", reference and all errors", error.what()});
+    }
+  }
+
+  [[nodiscard]] double budgetBytes(const experiment::Budget& budget) const {
+    if (budget.kind == experiment::Budget::Kind::Share && reference_.generated == 0) {
+      failInput("{}: the number of fragments is not known without the reference", budget.label());
+    }
+    const auto samples = static_cast<std::uint64_t>(group_.size.width) *
+                         static_cast<std::uint64_t>(group_.size.height);
+    return budget.bytes(samples, reference_.generated);
+  }
+
+  std::unique_ptr<Contender> makeContender(const PointPlan& plan) const {
+    auto settings = makeSettings();
+    settings->applyVariant(run_.experiment, run_.experiment.variants[plan.variant]);
+    if (plan.budget) settings->applyBudget(*plan.budget, budgetBytes(*plan.budget));
+    return std::make_unique<Contender>(std::move(settings), stage_);
+  }
+
+  /// Calls `work`; where the machine refuses, says why in `refusal` and returns false.
+  template <typename Work>
+  static bool attempt(std::string& refusal, Work&& work) {
+    if (!refusal.empty()) return false;
+    try {
+      work();
+      return true;
+    } catch (const InputError& error) {
+      refusal = error.what();
+    } catch (const std::bad_alloc&) {
+      refusal = "out of memory";
+    }
+    return false;
+  }
+
+  Point refusedPoint(const Batch& batch, const PointPlan& plan, const std::string& refusal) const {
+    Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kRefused);
+    point["reason"] = refusal;
+    return point;
+  }
+
+  std::vector<Point> measureRounds(const Batch& batch) {
+    const std::size_t count = batch.points.size();
+    std::vector<std::unique_ptr<Contender>> contenders(count);
+    std::vector<std::string> refusals(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      attempt(refusals[i], [&] { contenders[i] = makeContender(batch.points[i]); });
+    }
+    for (int round = 0; round < kWarmUpRounds + study_.frames; ++round) {
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!attempt(refusals[i], [&] { contenders[i]->draw(round >= kWarmUpRounds); })) {
+          contenders[i].reset();  // its memory is for the others
+        }
+        progress_.advance();
+      }
+      if (interruptAsked != 0) {
+        run_.interrupted = true;
+        return {};
+      }
+    }
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const PointPlan& plan = batch.points[i];
+      points.push_back(contenders[i] ? finish(batch, plan, *contenders[i])
+                                     : refusedPoint(batch, plan, refusals[i]));
+      progress_.advance();
+    }
+    return points;
+  }
+
+  Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
+    Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
+    contender.describe(point);
+    describeImage(point, contender.shown(), contender.display(), reference_,
+                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    return point;
+  }
+
+  std::vector<Point> askOracles(const Batch& batch) {
+    std::unique_ptr<Contender> exact;
+    std::unique_ptr<Oracles> oracles;
+    std::string unusable;
+    attempt(unusable, [&] {
+      exact = makeReference();
+      oracles = std::make_unique<Oracles>(*exact, stage_);
+    });
+    std::vector<Point> points;
+    for (const PointPlan& plan : batch.points) {
+      std::string refusal = unusable;
+      Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kOracle);
+      attempt(refusal, [&] { describeOracle(point, plan, *oracles); });
+      points.push_back(refusal.empty() ? std::move(point) : refusedPoint(batch, plan, refusal));
+      progress_.advance();
+      if (interruptAsked != 0) {
+        run_.interrupted = true;
+        return {};
+      }
+    }
+    return points;
+  }
+
+  void describeOracle(Point& point, const PointPlan& plan, const Oracles& oracles) const {
+    const auto bytes = static_cast<std::uint64_t>(budgetBytes(plan.budget.value()));
+    const auto slots = bytes / static_cast<std::uint64_t>(experiment::kBytesPerFragment);
+    const OracleAnswer answer = oracles.ask(run_.experiment.variants[plan.variant].oracle, slots);
+    const std::uint64_t generated = answer.stored + answer.merged + answer.lost;
+    const double loss =
+        generated > 0 ? static_cast<double>(answer.lost) / static_cast<double>(generated) : 0.0;
+    point["bytes"] = {{"transparency", bytes}, {"oit", bytes}, {"budget", bytes}};
+    point["fragments"] = {{"generated", generated},
+                          {"stored", answer.stored},
+                          {"merged", answer.merged},
+                          {"lost", answer.lost},
+                          {"loss", loss}};
+    point["k"] = {{"min", answer.kMin}, {"max", answer.kMax}, {"mean", answer.kMean}};
+    describeImage(point, image::toImage8(answer.display), answer.display, reference_,
+                  run_.experiment.differenceScale, run_.folder, plan.stem);
+  }
+
+  ChartRun& run_;
+  const Group& group_;
+  const experiment::Study& study_;
+  ProgressBar& progress_;
+  LoadedScene loaded_;
+  scene::GpuScene gpu_;
+  Stage stage_;
+  Reference reference_;
+};
+
+void runGroup(ChartRun& run, const Group& group, ProgressBar& progress) {
+  std::vector<const Batch*> pending;
+  for (const Batch& batch : group.batches) {
+    if (isFinished(run, batch)) {
+      run.kept += batch.points.size();
+    } else {
+      pending.push_back(&batch);
+    }
+  }
+  if (pending.empty()) return;
+  try {
+    LoadedGroup loaded(run, group, progress);
+    for (const Batch* batch : pending) {
+      if (!run.interrupted) loaded.measure(*batch);
+    }
+  } catch (const InputError& error) {
+    run.skipped.push_back({group.label(), error.what()});
+  }
+}
+
+}  // namespace
+
+void runGroups(ChartRun& run, std::span<const Group> groups) {
+  std::filesystem::create_directories(run.folder / "images");
+  std::vector<const Group*> usable;
+  int steps = 0;
+  for (const Group& group : groups) {
+    if (const auto reason = reasonToSkip(group)) {
+      run.skipped.push_back({group.label(), *reason});
+      continue;
+    }
+    usable.push_back(&group);
+    for (const Batch& batch : group.batches) {
+      if (!isFinished(run, batch)) steps += stepsOf(run, group, batch);
+    }
+  }
+  if (steps == 0) {
+    for (const Group* group : usable) {
+      for (const Batch& batch : group->batches) run.kept += batch.points.size();
+    }
+    return;
+  }
+  const InterruptGuard guard;
+  ProgressBar progress("chart", steps);
+  for (const Group* group : usable) {
+    if (interruptAsked != 0) run.interrupted = true;
+    if (run.interrupted) return;
+    runGroup(run, *group, progress);
+  }
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,109 @@
+#include "chart_settings.h"
+
+#include <filesystem>
+
+#include "engine/core/error.h"
+#include "engine/scene/load.h"
+#include "engine/settings/toml_file.h"
+
+namespace macula::tools {
+namespace {
+
+constexpr const char* kLightingKey = "scene.lighting";
+constexpr const char* kSeedKey = "frame.seed";
+constexpr double kMebi = 1024.0 * 1024.0;
+
+/// Whether a scene has to be loaded again where this setting changes.
+bool decidesLoading(const std::string& key) {
+  return key == kSeedKey || (key.starts_with("scene.") && key != "scene.background");
+}
+
+void checkScene(const std::string& scene, const experiment::Study& study) {
+  if (isSceneFile(scene)) return;
+  constexpr std::string_view kLayers = "layers-";
+  bool known = scene.starts_with(kLayers);
+  for (const scene::RecipeInfo& recipe : scene::recipes()) known = known || recipe.name == scene;
+  if (!known) {
+    failInput("{}: '{}' is neither a .gltf or .glb file nor a scene of 'macula scene list'",
+              study.place, oneLine(scene));
+  }
+}
+
+}  // namespace
+
+VariantSettings::VariantSettings() {
+  passes::registerSettings(registry, render);
+}
+
+void VariantSettings::applyGroup(const experiment::Experiment& experiment,
+                                 const experiment::Group& group) {
+  const experiment::Study& study = experiment.studies[group.study];
+  for (const toml::table* layer : study.settings) {
+    settings::applyTable(registry, *layer, experiment.name);
+  }
+  registry.at(kSeedKey, study.place).set(group.seed, study.place + ": seeds");
+  if (settings::Entry* lighting = registry.find(kLightingKey)) {
+    lighting->set(group.light, study.place + ": lights");
+  }
+  render.tonemap.linearOut = true;  // errors are of values before rounding to 8 bits
+}
+
+void VariantSettings::applyVariant(const experiment::Experiment& experiment,
+                                   const experiment::Variant& variant) {
+  if (variant.settings != nullptr) {
+    settings::applyTable(registry, *variant.settings, experiment.name);
+  }
+}
+
+void VariantSettings::applyBudget(const experiment::Budget& budget, double bytes) {
+  if (budget.kind == experiment::Budget::Kind::KAve) {
+    registry.at("oit.kAve", "k_ave").set(budget.value, "k_ave");
+    registry.at("oit.memoryMiB", "k_ave").set(0.0, "k_ave");
+  } else {
+    registry.at("oit.memoryMiB", "mib").set(bytes / kMebi, budget.label());
+  }
+}
+
+void checkExperiment(const experiment::Experiment& experiment) {
+  for (const experiment::Study& study : experiment.studies) {
+    for (const std::string& scene : study.scenes) checkScene(scene, study);
+    VariantSettings shared;
+    for (const toml::table* layer : study.settings) {
+      settings::applyTable(shared.registry, *layer, experiment.name);
+    }
+    if (settings::Entry* lighting = shared.registry.find(kLightingKey)) {
+      for (const std::string& light : study.lights) lighting->set(light, study.place + ": lights");
+    }
+  }
+  for (const experiment::Variant& variant : experiment.variants) {
+    VariantSettings own;
+    own.applyVariant(experiment, variant);
+    for (const settings::Entry& entry : own.registry.entries()) {
+      if (decidesLoading(entry.key()) && !entry.isDefault()) {
+        failInput(
+            "{}: {} decides what is loaded; give it under settings of the experiment or of "
+            "a [[study]]",
+            variant.place, entry.key());
+      }
+    }
+  }
+}
+
+bool isSceneFile(const std::string& scene) {
+  const std::string extension = std::filesystem::path(scene).extension().string();
+  return extension == ".glb" || extension == ".gltf";
+}
+
+std::optional<std::string> reasonToSkip(const experiment::Group& group) {
+  std::error_code error;
+  if (isSceneFile(group.scene) && !std::filesystem::exists(group.scene, error)) {
+    return group.scene + ": no such file";
+  }
+  if (group.light != experiment::kOwnLight &&
+      VariantSettings().registry.find(kLightingKey) == nullptr) {
+    return "this build has no setting scene.lighting for '" + group.light + "'";
+  }
+  return std::nullopt;
+}
+
+}  // namespace macula::tools
