@@ -41,7 +41,7 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::PeelLast, "peel last key", GL_RG32UI, Display, B::Oit, C::Never},
     {R::PeelSum, "peel sum", GL_RGBA32F, Display, B::Overhead, C::Never},
     {R::WeightedColors, "weighted colours", GL_RGBA32F, Display, B::Oit, C::Never},
-    {R::SliceSums, "slice sums", 0, Bytes, B::Overhead, C::Never},
+    {R::SliceSums, "slice sums", 0, Bytes, B::Overhead, C::Zero},
     {R::TileDepth, "tile depth", GL_DEPTH_COMPONENT32F, Fixed, B::Overhead, C::Never},
     {R::CountBins, "count bins", 0, Bytes, B::Overhead, C::Zero},
     {R::StripSums, "strip sums", 0, Bytes, B::Overhead, C::Zero},

@@ -14,8 +14,8 @@ bool ImportancePass::wanted() const {
 void ImportancePass::declareWork(frame::PassDeclaration& d) const {
   d.reads(plan_.countResource(), Use::Texture);
   d.readsHistory(Resource::FrontNormal, Use::Texture);
-  d.writes(Resource::Importance, Use::Image);
-  if (plan_.factorMaps) d.writes(Resource::ImportanceFactors, Use::Image);
+  d.modifies(Resource::Importance, Use::Image);  // 0 where nothing is transparent
+  if (plan_.factorMaps) d.modifies(Resource::ImportanceFactors, Use::Image);
   d.modifies(Resource::OitTotals, Use::Storage);
 }
 

@@ -52,7 +52,7 @@ struct ImportanceSettings {
   double noise = 0.1;          ///< lambda of Eq. 6
   double layerLimit = 0.0;     ///< N_limit of Eq. 3; 0: the largest count seen so far
   bool noisePerFrame = false;  ///< a new xi every frame
-  int slices = 8;              ///< depth slices a predictor sums
+  int slices = 4;              ///< depth slices a predictor sums
   int tile = 1;                ///< samples a side that share their slices
   double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
 };

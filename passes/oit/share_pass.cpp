@@ -17,14 +17,11 @@ void SharePass::declareWork(frame::PassDeclaration& d) const {
   d.consumes(Resource::SlotBids, Use::Image);
   d.consumes(Resource::StripSums, Use::Storage);
   d.reads(Resource::OitTotals, Use::Storage);
-  if (plan_.slices()) d.consumes(Resource::SliceSums, Use::Storage);
   declareHandOut(d, plan_);
 }
 
 void SharePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
-  gl::Defines defines = handOutDefines(plan_);
-  if (plan_.slices()) defines.emplace_back("SLICES", "1");
-  program_ = programs.get({{"oit/share.comp"}, defines, {}});
+  program_ = programs.get({{"oit/share.comp"}, handOutDefines(plan_), {}});
 }
 
 void SharePass::execute(frame::PassContext& context) {
@@ -34,7 +31,6 @@ void SharePass::execute(frame::PassContext& context) {
   bindHandOut(context, plan_);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::StripSums);
-  if (plan_.slices()) context.bindStorage(SSBO_SLICES, Resource::SliceSums);
   dispatchStrips(context);
 }
 

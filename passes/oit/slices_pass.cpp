@@ -16,7 +16,7 @@ void SlicesPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::Depth, plan_.importance.tile > 1 ? Use::Texture : Use::DepthTarget);
   if (plan_.importance.tile > 1) d.uses(Resource::TileDepth, Use::DepthTarget);
   d.reads(Resource::DepthRange, Use::Texture);
-  d.writes(Resource::SliceSums, Use::Storage);
+  d.modifies(Resource::SliceSums, Use::Storage);
 }
 
 void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
@@ -29,7 +29,6 @@ void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
     glCreateVertexArrays(1, &id);
     noAttributes_ = gl::VertexArrayId(id);
   }
-  emptied_ = false;
 }
 
 void SlicesPass::drawTileDepth(frame::PassContext& context) {
@@ -44,9 +43,6 @@ void SlicesPass::drawTileDepth(frame::PassContext& context) {
 
 void SlicesPass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  // Whoever shares the slots out leaves the sums empty again, which is cheaper than to clear them all.
-  if (!emptied_) context.resources().clear(Resource::SliceSums);
-  emptied_ = true;
   const bool tiled = plan_.importance.tile > 1;
   if (tiled) drawTileDepth(context);
   context.bindTargets({}, tiled ? Resource::TileDepth : Resource::Depth);

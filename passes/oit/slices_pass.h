@@ -23,7 +23,6 @@ class SlicesPass final : public OitPass {
   SceneVariants variants_;
   GLuint tileProgram_ = 0;
   gl::VertexArrayId noAttributes_;
-  bool emptied_ = false;  ///< the sums are empty at the begin of a frame
 };
 
 }  // namespace macula::passes

@@ -1,5 +1,5 @@
 // Slots of each pixel and where they begin: contiguous ranges handed out by one cursor, one atomic
-// a strip. Also resets what the capture fills.
+// a strip.
 // ALLOCATION_EXACT: k = n. ALLOCATION_ONE_K: the same k for all, at most n. ALLOCATION_IMPORTANCE:
 // k from the importance map under the budget.
 #include "shared/oit_constants.h"
@@ -70,11 +70,12 @@ void main() {
     layers[i] = k;
     sum += k;
   }
-  uint begin = 0u;
-  if (sum > 0u) begin = atomicAdd(totals.cursor, sum);
+  if (sum == 0u) return;
+  uint begin = atomicAdd(totals.cursor, sum);
   for (int i = 0; first.x + i < end; ++i) {
     ivec2 p = ivec2(first.x + i, first.y);
     uint k = layers[i];
+    if (k == 0u) continue;
     // Exact allocation may ask for more than the pool holds: what does not fit gets no slot.
     uint fits = begin < slots ? min(k, slots - begin) : 0u;
     handOut(p, uint(texelFetch(fragmentCount, p, 0).r), begin, fits);

@@ -22,15 +22,13 @@ void main() {
   uvec4 sum = uvec4(0u);
   for (ivec2 p = first; p.x < end; ++p.x) {
     uint n = min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS);
-    uint bids = 0u;
     if (n > 0u) {
       uvec4 taken = uvec4(bidAt(p, n, prices).slots[0]);
       uint high = taken.x;
       uint low = max(high, taken.y);
       sum += uvec4(min(n, LEAST_SLOTS), high, low, n);
-      bids = high | (low << 16);
+      imageStore(slotBids, p, uvec4(high | (low << 16)));
     }
-    imageStore(slotBids, p, uvec4(bids));
   }
   stripSums[stripIndex(first)] = sum;
 }

@@ -49,13 +49,8 @@ void main() {
 #ifdef FACTORS
       imageStore(factors, p, vec4(periphery, depthFactor, fresnel, total));
 #endif
+      imageStore(importance, p, uvec4(value));
     }
-#ifdef FACTORS
-    else {
-      imageStore(factors, p, vec4(0.0));
-    }
-#endif
-    imageStore(importance, p, uvec4(value));
   }
   if (covered == 0u) return;
   uint old = atomicAdd(totals.importanceLow, sum);

@@ -2,7 +2,6 @@
 // each pixel needs, what it takes at the high price, at the low one, all its fragments - every pixel
 // gets its part of what the larger amount adds, in one even sequence over the image. Sums are exact, so
 // the slots given are those of the budget, and places follow without a counter.
-// SLICES: leave the depth slices empty for the next frame.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -14,10 +13,6 @@ layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(r32ui, binding = IMG_2) readonly uniform uimage2D slotBids;
 layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
 layout(std430, binding = SSBO_STRIP_SUMS) readonly buffer StripSums { uvec4 stripSums[]; };
-#ifdef SLICES
-#include "lib/slices.glsl"
-layout(std430, binding = SSBO_SLICES) buffer Slices { uvec4 slices[]; };
-#endif
 
 /// Of `extra` slots that all would like, those that the first `wanted` get when `granted` are there.
 /// The offset keeps floor() from falling below a whole number that rounding has just missed; it is
@@ -55,17 +50,6 @@ void main() {
       handOut(p, n, given + from, k);
       given += own;
       from = to;
-    } else {
-      handOut(p, 0u, given + from, 0u);
     }
-#ifdef SLICES
-    int tile = int(frame.slices.w);
-    if (p.x % tile == 0 && p.y % tile == 0) {
-      uint at = sliceBase(p);
-      for (int i = 0; i < int(frame.slices.z); ++i) {
-        if (slices[at + uint(i)] != uvec4(0u)) slices[at + uint(i)] = uvec4(0u);
-      }
-    }
-#endif
   }
 }

@@ -35,7 +35,7 @@
 #define SLICE_MAX_COLOR 4.0
 #define MAX_SLICES 16
 // Parts that a slice is thought to consist of, its fragments spread evenly over them.
-#define SLICE_PARTS 2
+#define SLICE_PARTS 4
 
 // The price of a slot is searched for between 2^-40 and 2^4: from what one fragment among thousands
 // can change to more than a whole pixel is worth.
