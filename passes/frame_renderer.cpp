@@ -1,6 +1,7 @@
 #include "passes/frame_renderer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/core/error.h"
 #include "engine/frame/pass_context.h"
@@ -133,9 +134,8 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
   plan_.options = settings_.oit;
   plan_.layers = static_cast<std::uint32_t>(settings_.oit.layers);
   const SyncMode wish = syncByName(settings_.oit.sync);
-  plan_.sync = plan_.method->isRacy()
-                   ? SyncMode::None
-                   : chooseSync(wish, machine_.capabilities, machine_.ordered);
+  plan_.sync = plan_.method->isRacy() ? SyncMode::None
+                                      : chooseSync(wish, machine_.capabilities, machine_.ordered);
   plan_.budgetBytes.reset();
   constexpr double kMebi = 1024.0 * 1024.0;
   if (plan_.method->hasBudget()) {
@@ -147,11 +147,34 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
     const std::uint64_t each =
         kFragmentBytes + (plan_.method->insertion == Insertion::Linked ? kLinkBytes : 0);
     plan_.budgetBytes = static_cast<std::uint64_t>(settings_.oit.memoryMiB * kMebi);
+    if (*plan_.budgetBytes < each) {
+      failInput("--oit-memory of {} bytes holds no fragment ({} bytes each); raise it, or 0",
+                *plan_.budgetBytes, each);
+    }
     sizePool(static_cast<std::uint32_t>(*plan_.budgetBytes / each));
   } else if (plan_.method->allocation == Allocation::Constant) {
-    sizePool(static_cast<std::uint32_t>(plan_.layers * samples));
+    const std::uint64_t slots = plan_.layers * samples;
+    if (slots > std::numeric_limits<std::uint32_t>::max()) {
+      failInput(
+          "{} slots for each of {} samples are more than can be addressed; lower "
+          "--oit.layers or --size",
+          plan_.layers, samples);
+    }
+    sizePool(static_cast<std::uint32_t>(slots));
   } else if (before != plan_.method || plan_.slots < samples) {
     sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
+  }
+}
+
+void FrameRenderer::allocate() {
+  try {
+    list_.prepare(inputs_, resources_, machine_.programs,
+                  machine_.capabilities.maxStorageBlockBytes);
+  } catch (...) {
+    // No frame may be drawn with a pool that is larger than its memory: the next one plans anew.
+    prepared_ = false;
+    plan_.slots = 0;
+    throw;
   }
 }
 
@@ -175,14 +198,13 @@ void FrameRenderer::prepare() {
   resources_.setBufferBytes(
       Resource::SliceSums,
       area(tiles) * static_cast<std::size_t>(plan_.importance.slices) * kVectorBytes);
-  resources_.setBufferBytes(
-      Resource::StripSums,
-      (area({(size.x + STRIP - 1) / STRIP, size.y}) + static_cast<std::size_t>(size.y)) *
-          kVectorBytes);
+  resources_.setBufferBytes(Resource::StripSums, (area({(size.x + STRIP - 1) / STRIP, size.y}) +
+                                                  static_cast<std::size_t>(size.y)) *
+                                                     kVectorBytes);
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
-  list_.prepare(inputs_, resources_, machine_.programs, machine_.capabilities.maxStorageBlockBytes);
+  allocate();
   if (inputs_.facts.transparentTriangles > 0) statistics_.prepare(inputs_, machine_.programs);
   prepared_ = true;
 }
@@ -235,8 +257,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
   while (plan_.method->grows() && !plan_.budgetBytes && totals.cursor > plan_.slots) {
     extraMs_ += timer_.totalMs();
     sizePool(grown(totals.cursor));
-    list_.prepare(inputs_, resources_, machine_.programs,
-                  machine_.capabilities.maxStorageBlockBytes);
+    allocate();
     totals = runOnce();
     ++recaptures;
   }
@@ -285,9 +306,9 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   // Where the device bounds loops, the sort of a deeper pixel would be cut short.
   const std::uint32_t deepest =
       method.insertion == Insertion::Linked ? kDeepestBoundedMerge : kDeepestBoundedSort;
-  const bool sortable = (method.insertion != Insertion::Appended &&
-                         method.insertion != Insertion::Linked) ||
-                        machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
+  const bool sortable =
+      (method.insertion != Insertion::Appended && method.insertion != Insertion::Linked) ||
+      machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
   const bool keepsOrder = plan_.sync != SyncMode::None || method.insertion != Insertion::Sorted;
   result.exact = counts.lost == 0 && counts.merged == 0 && keepsOrder && sortable &&
                  !plan_.packed() && method.insertion != Insertion::StencilRouted;

@@ -63,7 +63,7 @@ glm::vec3 over(const std::vector<glm::vec4>& nearestFirst, glm::vec3 behind) {
   return color + passes * behind;
 }
 
-passes::RenderSettings linearSettings(const OitSettings& oit) {
+passes::RenderSettings settingsOf(const OitSettings& oit) {
   passes::RenderSettings settings = linearSettings(oit.method, oit.kAve);
   settings.oit = oit;
   return settings;

@@ -28,7 +28,7 @@ struct Sheet {
 [[nodiscard]] glm::vec3 over(const std::vector<glm::vec4>& nearestFirst, glm::vec3 behind);
 
 /// Linear output by these options.
-[[nodiscard]] passes::RenderSettings linearSettings(const passes::OitSettings& oit);
+[[nodiscard]] passes::RenderSettings settingsOf(const passes::OitSettings& oit);
 
 /// The options in one line, for messages.
 [[nodiscard]] std::string describe(const passes::OitSettings& oit);

@@ -36,7 +36,7 @@ TEST_F(Depths, EqualOnesAllCountAndTheLowestIdsAreKept) {
   }
   const scene::Scene scene = sheets(list);
   for (const OitSettings& oit : completeCases(kSheets)) {
-    Bench bench(scene, linearSettings(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kSheets * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, kSheets * kPixels) << describe(oit);
@@ -53,7 +53,7 @@ TEST_F(Depths, EqualOnesAllCountAndTheLowestIdsAreKept) {
         OitSettings{.method = "kb-plus", .kAve = kKept, .fill = true},
         OitSettings{.method = "peel", .layers = kKept}}) {
     for (const bool reversed : {false, true}) {
-      Bench bench(scene, linearSettings(oit), kSize, machine(), {.reversed = reversed});
+      Bench bench(scene, settingsOf(oit), kSize, machine(), {.reversed = reversed});
       const passes::FrameResult result = bench.draw();
       EXPECT_EQ(result.fragments->stored, kKept * kPixels) << describe(oit);
       EXPECT_EQ(result.fragments->lost, (kSheets - kKept) * kPixels) << describe(oit);
@@ -70,7 +70,7 @@ TEST_F(Depths, ThatCrossAreSortedInEachPixel) {
   const glm::vec3 redFirst = over({red, blue}, {});
   const glm::vec3 blueFirst = over({blue, red}, {});
   for (const OitSettings& oit : completeCases(2)) {
-    Bench bench(scene, linearSettings(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, machine());
     EXPECT_EQ(bench.draw().fragments->stored, 2 * kPixels) << describe(oit);
     const std::vector<float> rgb = bench.linear();
     for (std::size_t p = 0; p < kPixels; ++p) {
@@ -94,7 +94,7 @@ TEST_F(Depths, BehindInFrontOfAndTouchingAnOpaqueSurface) {
                                      {3.0F, variedColor(3, 0.9F)}});
   const glm::vec3 expected = over({front, touching}, wall);
   for (const OitSettings& oit : completeCases(4)) {
-    Bench bench(scene, linearSettings(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, 2 * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, 2 * kPixels) << describe(oit);
@@ -128,7 +128,7 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
         OitSettings{.method = "kb-plus", .kAve = kSlots},
         OitSettings{.method = "kb-plus", .kAve = kSlots, .fill = true},
         OitSettings{.method = "peel", .layers = kSlots}}) {
-    Bench bench(scene, linearSettings(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kLayers * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, kSlots * kPixels) << describe(oit);
@@ -141,7 +141,7 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
         OitSettings{.method = "kb-fixed", .kAve = kSlots, .tail = Tail::Mean, .fragmentBytes = 8},
         OitSettings{.method = "kb-plus", .kAve = kSlots, .fill = true, .tail = Tail::Mean},
         OitSettings{.method = "kb-atomic", .kAve = kSlots, .tail = Tail::Mean}}) {
-    passes::RenderSettings settings = linearSettings(oit);
+    passes::RenderSettings settings = settingsOf(oit);
     settings.background = {0.25F, 0.5F, 0.75F};
     Bench bench(scene, settings, kSize, machine());
     const passes::FrameResult result = bench.draw();
@@ -170,7 +170,7 @@ TEST_F(Depths, BeyondWhatHalfFloatsCount) {
         OitSettings{.method = "kb-plus", .kAve = 8.0},
         OitSettings{.method = "kb-variable", .kAve = 8.0, .fill = true, .tail = Tail::Mean},
         OitSettings{.method = "ab-array", .layers = 16}}) {
-    Bench bench(scene, linearSettings(oit), kTiny, machine());
+    Bench bench(scene, settingsOf(oit), kTiny, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.deepest, static_cast<std::uint32_t>(kDeep)) << describe(oit);
     EXPECT_EQ(result.fragments->generated, std::uint64_t{kDeep} * 6) << describe(oit);

@@ -28,7 +28,7 @@ class Flip {
         machine_(machine) {}
 
   void expectNoDifference(const OitSettings& oit) {
-    const passes::RenderSettings settings = linearSettings(oit);
+    const passes::RenderSettings settings = settingsOf(oit);
     passes::FrameRenderer a(settings, machine_);
     passes::FrameRenderer b(settings, machine_);
     a.resize(size_);
