@@ -134,8 +134,9 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
   plan_.options = settings_.oit;
   plan_.layers = static_cast<std::uint32_t>(settings_.oit.layers);
   const SyncMode wish = syncByName(settings_.oit.sync);
-  plan_.sync = plan_.method->isRacy() ? SyncMode::None
-                                      : chooseSync(wish, machine_.capabilities, machine_.ordered);
+  plan_.sync = plan_.method->isRacy()
+                   ? SyncMode::None
+                   : chooseSync(wish, machine_.capabilities, machine_.ordered);
   plan_.budgetBytes.reset();
   constexpr double kMebi = 1024.0 * 1024.0;
   if (plan_.method->hasBudget()) {
@@ -198,9 +199,10 @@ void FrameRenderer::prepare() {
   resources_.setBufferBytes(
       Resource::SliceSums,
       area(tiles) * static_cast<std::size_t>(plan_.importance.slices) * kVectorBytes);
-  resources_.setBufferBytes(Resource::StripSums, (area({(size.x + STRIP - 1) / STRIP, size.y}) +
-                                                  static_cast<std::size_t>(size.y)) *
-                                                     kVectorBytes);
+  resources_.setBufferBytes(
+      Resource::StripSums,
+      (area({(size.x + STRIP - 1) / STRIP, size.y}) + static_cast<std::size_t>(size.y)) *
+          kVectorBytes);
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
@@ -292,9 +294,12 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   const Method& method = *plan_.method;
   FragmentCounts counts;
   counts.generated = s.generated;
-  counts.stored = s.stored - std::min(s.stored, totals.lockFailures);
-  counts.merged = s.merged;
+  counts.stored = s.stored;
   if (method.insertion == Insertion::Linked) counts.stored = std::min(totals.cursor, plan_.slots);
+  // A tail is thought to hold all that is not stored; what was given up at a lock never reached it.
+  const std::uint64_t left = counts.generated - counts.stored;
+  counts.merged = std::min<std::uint64_t>(
+      s.merged, left - std::min<std::uint64_t>(left, totals.lockFailures));
   counts.lost = counts.generated - counts.stored - counts.merged;
   result.fragments = counts;
   result.deepest = s.countMax;
@@ -306,9 +311,9 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   // Where the device bounds loops, the sort of a deeper pixel would be cut short.
   const std::uint32_t deepest =
       method.insertion == Insertion::Linked ? kDeepestBoundedMerge : kDeepestBoundedSort;
-  const bool sortable =
-      (method.insertion != Insertion::Appended && method.insertion != Insertion::Linked) ||
-      machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
+  const bool sortable = (method.insertion != Insertion::Appended &&
+                         method.insertion != Insertion::Linked) ||
+                        machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
   const bool keepsOrder = plan_.sync != SyncMode::None || method.insertion != Insertion::Sorted;
   result.exact = counts.lost == 0 && counts.merged == 0 && keepsOrder && sortable &&
                  !plan_.packed() && method.insertion != Insertion::StencilRouted;
