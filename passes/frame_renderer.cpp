@@ -162,7 +162,7 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
           plan_.layers, samples);
     }
     sizePool(static_cast<std::uint32_t>(slots));
-  } else if (before != plan_.method || plan_.slots < samples) {
+  } else if (before != plan_.method || plan_.slots < samples * kFirstSlotsPerSample) {
     sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
   }
 }
