@@ -1,6 +1,7 @@
 #include "passes/frame_renderer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/core/error.h"
 #include "engine/frame/pass_context.h"
@@ -147,11 +148,34 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
     const std::uint64_t each =
         kFragmentBytes + (plan_.method->insertion == Insertion::Linked ? kLinkBytes : 0);
     plan_.budgetBytes = static_cast<std::uint64_t>(settings_.oit.memoryMiB * kMebi);
+    if (*plan_.budgetBytes < each) {
+      failInput("--oit-memory of {} bytes holds no fragment ({} bytes each); raise it, or 0",
+                *plan_.budgetBytes, each);
+    }
     sizePool(static_cast<std::uint32_t>(*plan_.budgetBytes / each));
   } else if (plan_.method->allocation == Allocation::Constant) {
-    sizePool(static_cast<std::uint32_t>(plan_.layers * samples));
-  } else if (before != plan_.method || plan_.slots < samples) {
+    const std::uint64_t slots = plan_.layers * samples;
+    if (slots > std::numeric_limits<std::uint32_t>::max()) {
+      failInput(
+          "{} slots for each of {} samples are more than can be addressed; lower "
+          "--oit.layers or --size",
+          plan_.layers, samples);
+    }
+    sizePool(static_cast<std::uint32_t>(slots));
+  } else if (before != plan_.method || plan_.slots < samples * kFirstSlotsPerSample) {
     sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
+  }
+}
+
+void FrameRenderer::allocate() {
+  try {
+    list_.prepare(inputs_, resources_, machine_.programs,
+                  machine_.capabilities.maxStorageBlockBytes);
+  } catch (...) {
+    // No frame may be drawn with a pool that is larger than its memory: the next one plans anew.
+    prepared_ = false;
+    plan_.slots = 0;
+    throw;
   }
 }
 
@@ -185,7 +209,7 @@ void FrameRenderer::prepare() {
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
-  list_.prepare(inputs_, resources_, machine_.programs, machine_.capabilities.maxStorageBlockBytes);
+  allocate();
   if (inputs_.facts.transparentTriangles > 0) statistics_.prepare(inputs_, machine_.programs);
   prepared_ = true;
 }
@@ -239,8 +263,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, b
   while (plan_.method->grows() && !plan_.budgetBytes && totals.cursor > plan_.slots) {
     extraMs_ += timer_.totalMs();
     sizePool(grown(totals.cursor));
-    list_.prepare(inputs_, resources_, machine_.programs,
-                  machine_.capabilities.maxStorageBlockBytes);
+    allocate();
     totals = runOnce();
     ++recaptures;
   }
@@ -275,9 +298,12 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   const Method& method = *plan_.method;
   FragmentCounts counts;
   counts.generated = s.generated;
-  counts.stored = s.stored - std::min(s.stored, totals.lockFailures);
-  counts.merged = s.merged;
+  counts.stored = s.stored;
   if (method.insertion == Insertion::Linked) counts.stored = std::min(totals.cursor, plan_.slots);
+  // A tail is thought to hold all that is not stored; what was given up at a lock never reached it.
+  const std::uint64_t left = counts.generated - counts.stored;
+  counts.merged = std::min<std::uint64_t>(
+      s.merged, left - std::min<std::uint64_t>(left, totals.lockFailures));
   counts.lost = counts.generated - counts.stored - counts.merged;
   result.fragments = counts;
   result.deepest = s.countMax;

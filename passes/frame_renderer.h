@@ -81,6 +81,7 @@ class FrameRenderer {
   void planMethod(std::uint64_t samples);
   void planRoutedSamples();
   void sizePool(std::uint32_t slots);
+  void allocate();
   void uploadConstants();
   [[nodiscard]] shader::OitTotals runOnce();
   [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);

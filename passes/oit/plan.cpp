@@ -23,12 +23,15 @@ void planConstant(OitPlan& plan, std::uint64_t samples, double bytes) {
   const double perSample = bytes / static_cast<double>(samples);
   const double tail = plan.denseTail() ? static_cast<double>(kDenseTailBytes) : 0.0;
   const double layers = std::floor((perSample - tail) / static_cast<double>(plan.fragmentBytes()));
-  if (layers < 1.0 || layers * static_cast<double>(samples) > kMostSlots) {
+  const double least = plan.tailInSlot() ? plan.tailSlots() : 1.0;
+  if (layers < least || layers * static_cast<double>(samples) > kMostSlots) {
     failInput(
         "the transparency budget gives each of {} samples {:.2f} bytes, which {} cannot cut into "
         "equal layers of {} bytes{}; change --k-ave or --oit-memory",
         samples, perSample, plan.method->id, plan.fragmentBytes(),
-        plan.denseTail() ? " beside its tail of 16" : "");
+        plan.denseTail()    ? " beside its tail of 16"
+        : plan.tailInSlot() ? ", 16 bytes of them for its tail"
+                            : "");
   }
   plan.layers = static_cast<std::uint32_t>(layers);
   plan.slots = static_cast<std::uint32_t>(plan.layers * samples);

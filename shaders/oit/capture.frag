@@ -141,7 +141,8 @@ void main() {
     done = true;
   }
   if (!done) atomicAdd(totals.lockFailures, 1u);
-#elif defined(TAIL_IN_SLOT)
+#elif defined(TAIL_IN_SLOT) || defined(PACKED)
+  // A packed fragment's place among equal depths is known only with its colour.
   if (wanted) insertIfNearer(p, slots, fragment);
 #else
   if (wanted) insertSorted(p, slots, fill, fragment);

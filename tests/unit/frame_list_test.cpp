@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "engine/core/file.h"
+#include "oit_combinations.h"
 
 namespace macula::passes {
 namespace {
@@ -21,32 +22,27 @@ std::vector<std::string> running(const frame::FrameList& list, const scene::Scen
   return names;
 }
 
-class EveryMethod : public testing::TestWithParam<const Method*> {};
-
-TEST_P(EveryMethod, FrameIsSound) {
+TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RenderSettings settings;
-  for (const bool factors : {false, true}) {
-    settings.heatmap.map = factors ? "importance" : "none";
-    for (const SyncMode sync : {SyncMode::Spinlock, SyncMode::Ordered}) {
-      const OitPlan plan{.method = GetParam(), .sync = sync, .factorMaps = factors};
-      if (factors && !plan.method->hasBudget()) continue;
-      EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty()) << GetParam()->id;
+  int frames = 0;
+  for (const OitSettings& options : test::acceptedSettings()) {
+    // The pass that finds the depth to cull behind does not exist yet.
+    if (options.cull == Cull::Occupancy) continue;
+    for (const SyncMode sync : test::syncModesOf(methodById(options.method))) {
+      for (const bool factors : {false, true}) {
+        settings.heatmap.map = factors ? "importance" : "none";
+        OitPlan plan = test::planOf(options, sync);
+        plan.factorMaps = factors;
+        if (factors && !plan.mapsImportance()) continue;
+        EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty())
+            << test::describe(options) << " sync " << nameOf(sync);
+        ++frames;
+      }
     }
   }
+  EXPECT_GT(frames, 100) << "the enumeration finds something";
+  RecordProperty("frames", frames);
 }
-
-std::vector<const Method*> allMethods() {
-  std::vector<const Method*> all;
-  for (const Method& method : methods()) all.push_back(&method);
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(allMethods()),
-                         [](const auto& method) {
-                           std::string name(method.param->id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
 
 TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
   const RenderSettings settings;
@@ -105,6 +101,7 @@ TEST(Rooms, TheEngineNeverIncludesPassesOrTools) {
 TEST(Rooms, APassNeverNamesAnotherPass) {
   for (const std::string& line : includesOf("passes")) {
     if (line.find("_pass.h") == std::string::npos) continue;
+    if (line.ends_with("/oit_pass.h")) continue;  // the base class of many, itself no pass
     const std::string file = line.substr(0, line.find('.'));
     // The list names all; the settings gather what passes declare as theirs.
     if (file == "frame_list" || file == "render_settings") continue;

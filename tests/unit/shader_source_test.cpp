@@ -10,6 +10,9 @@
 #include <set>
 
 #include "engine/core/error.h"
+#include "oit_combinations.h"
+#include "passes/oit/bidding.h"
+#include "passes/oit/hand_out.h"
 
 namespace macula::gl {
 namespace {
@@ -76,11 +79,42 @@ void addCombinations(std::vector<Variant>& out, const std::string& file, const D
   }
 }
 
-std::vector<Variant> allVariants() {
-  std::vector<Variant> all;
-  for (const char* kind : {"POSITION_ONLY", "UV_ONLY"}) {
-    addCombinations(all, "scene.vert", {{kind, "1"}}, {"SHADOW"});
+/// Adds a variant unless it is there already.
+class VariantSet {
+ public:
+  void add(const Variant& variant) {
+    std::string name = variant.file;
+    for (const auto& [key, value] : variant.defines) name += " " + key + "=" + value;
+    for (const std::string& extension : variant.extensions) name += " " + extension;
+    if (seen_.insert(name).second) all_.push_back(variant);
   }
+  void addAll(const std::vector<Variant>& variants) {
+    for (const Variant& variant : variants) add(variant);
+  }
+  [[nodiscard]] const std::vector<Variant>& all() const { return all_; }
+
+ private:
+  std::vector<Variant> all_;
+  std::set<std::string> seen_;
+};
+
+Defines together(const Defines& a, const Defines& b) {
+  Defines all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+/// What lit, textured and environment runs add. All of their combinations are compiled with
+/// oit/blend.frag; the least and the most are enough where an option multiplies them.
+const std::vector<std::string> kShading{"LIT", "TEXTURED", "SHADOWS", "ENVIRONMENT"};
+const std::vector<Defines> kShadingEnds{
+    {},
+    {{"TEXTURED", "1"}},
+    {{"LIT", "1"}, {"TEXTURED", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}}};
+
+void addOpaque(std::vector<Variant>& all) {
+  addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});
+  addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}}, {"SHADOW"});
   addCombinations(all, "scene.vert", {}, {});
   addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
   addCombinations(all, "shadow.frag", {}, {"MASK"});
@@ -90,28 +124,79 @@ std::vector<Variant> allVariants() {
   }
   addCombinations(all, "heatmap.comp", {{"SOURCE_CHANNEL", "g"}}, {"SOURCE_INTEGER"});
   addCombinations(all, "time_source.comp", {}, {});
-  addCombinations(all, "oit/sync_check.vert", {}, {});
-  addCombinations(all, "oit/sync_check.frag", {}, {});
-  addCombinations(all, "oit/count.frag", {}, {});
-  addCombinations(all, "oit/importance.comp", {}, {"FACTORS"});
-  addCombinations(all, "oit/reserve.comp", {}, {});
-  addCombinations(all, "oit/allocate.comp", {{"ALLOCATION_EXACT", "1"}}, {});
-  addCombinations(all, "oit/allocate.comp", {{"ALLOCATION_IMPORTANCE", "1"}},
-                  {"FRONT_NORMAL", "LOCKS"});
-  addCombinations(all, "oit/resolve.comp", {}, {"SORTED"});
-  const std::vector<std::string> shading{"LIT", "TEXTURED", "SHADOWS", "ENVIRONMENT"};
-  addCombinations(all, "oit/blend.frag", {}, shading);
-  for (const char* sync : {"SYNC_ORDERED", "SYNC_SPINLOCK", "SYNC_NONE"}) {
-    addCombinations(all, "oit/capture.frag",
-                    {{"INSERTION_SORTED", "1"}, {"FRONT_NORMAL", "1"}, {sync, "1"}}, shading);
-    addCombinations(all, "oit/capture.frag", {{"INSERTION_APPEND", "1"}, {sync, "1"}}, shading);
+}
+
+/// Passes whose defines do not depend on the options of a method.
+void addPlainTransparent(std::vector<Variant>& all) {
+  for (const char* file :
+       {"oit/sync_check.vert", "oit/sync_check.frag", "oit/full_screen.vert", "oit/tile_depth.frag",
+        "oit/routing_check.frag", "oit/routing_check.comp", "oit/routing_depth.frag",
+        "oit/reserve.comp", "oit/histogram.comp", "oit/one_k.comp", "oit/weighted_resolve.comp"}) {
+    addCombinations(all, file, {}, {});
   }
-  addCombinations(all, "oit/capture.frag",
-                  {{"INSERTION_SORTED", "1"}, {"FRONT_NORMAL", "1"}, {"SYNC_INTERLOCK", "1"}},
-                  shading, {"GL_ARB_fragment_shader_interlock"});
-  addCombinations(all, "oit/capture.frag", {{"INSERTION_APPEND", "1"}, {"SYNC_INTERLOCK", "1"}},
-                  shading);
-  return all;
+  const Defines ids{{"POSITION_ONLY", "1"}, {"WITH_IDS", "1"}};
+  addCombinations(all, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {"RANGE"});
+  addCombinations(all, "oit/importance.comp", {}, {"FACTORS"});
+  addCombinations(all, "oit/prefix.comp", {}, {"ROWS"});
+  addCombinations(all, "oit/atomic_keys.frag", ids, {"STAGE_IDS"});
+  addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_DEPTH", "1"}}), {});
+  addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_IDS", "1"}}), {});
+  addCombinations(all, "oit/peel.frag", {{"STAGE_COLOR", "1"}}, kShading);
+  addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
+  addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
+  addCombinations(all, "oit/slices.frag", {}, {"SYNC_ORDERED", "LIT", "TEXTURED"});
+  for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
+    addCombinations(all, file, {}, kShading);
+  }
+}
+
+/// Passes that the plan of one combination of options specialises, as their prepare() does.
+void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
+  using passes::Insertion;
+  const passes::Method& method = *plan.method;
+  if (!method.stores()) return;
+  all.add({"oit/resolve.comp", definesOf(plan), {}});
+  if (plan.auctions()) {
+    const Defines bids = bidDefines(plan);
+    all.add({"oit/demand.comp", bids, {}});
+    for (const char* round : {"0", "1"}) {
+      all.add({"oit/price.comp", together(bids, {{"ROUND", round}}), {}});
+    }
+    Defines share = handOutDefines(plan);
+    if (plan.slices()) share.emplace_back("SLICES", "1");
+    all.add({"oit/share.comp", share, {}});
+  } else if (method.hasRanges()) {
+    const char* allocation =
+        method.allocation == passes::Allocation::ExactCount ? "ALLOCATION_EXACT"
+        : method.allocation == passes::Allocation::OneK     ? "ALLOCATION_ONE_K"
+                                                            : "ALLOCATION_IMPORTANCE";
+    all.add({"oit/allocate.comp", together(handOutDefines(plan), {{allocation, "1"}}), {}});
+  }
+  if (method.insertion == Insertion::StencilRouted) return;
+  Defines capture = definesOf(plan);
+  if (method.insertion != Insertion::AtomicMin) capture = together(capture, syncDefines(plan));
+  if (plan.keepsFrontNormal()) capture.emplace_back("FRONT_NORMAL", "1");
+  std::vector<std::string> extensions;
+  if (plan.sync == passes::SyncMode::Interlock && plan.sorted()) {
+    extensions.emplace_back("GL_ARB_fragment_shader_interlock");
+  }
+  for (const Defines& shading : kShadingEnds) {
+    all.add({"oit/capture.frag", together(capture, shading), extensions});
+  }
+}
+
+std::vector<Variant> allVariants() {
+  std::vector<Variant> plain;
+  addOpaque(plain);
+  addPlainTransparent(plain);
+  VariantSet all;
+  all.addAll(plain);
+  for (const passes::OitSettings& settings : test::acceptedSettings()) {
+    for (const passes::SyncMode sync : test::syncModesOf(passes::methodById(settings.method))) {
+      addPlanned(all, test::planOf(settings, sync));
+    }
+  }
+  return all.all();
 }
 
 TEST(ShaderVariants, EveryFileHasOne) {

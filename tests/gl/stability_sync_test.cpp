@@ -1,0 +1,142 @@
+// Turns that are not had: locks that are given up, and insertion without any.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/core/file.h"
+#include "engine/measure/hazards.h"
+#include "engine/scene/procedural/recipes.h"
+#include "oit_cases.h"
+
+namespace macula::test {
+namespace {
+
+using passes::OitSettings;
+using passes::Tail;
+
+namespace fs = std::filesystem;
+
+/// A copy of the shaders with another bound of the spin locks, for as long as it lives.
+class ShadersWithLockBound {
+ public:
+  explicit ShadersWithLockBound(const std::string& bound)
+      : folder_(fs::temp_directory_path() /
+                ("macula_locks_" + std::to_string(fs::hash_value(fs::current_path())) + "_" +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::remove_all(folder_);
+    fs::copy(dataFolder("shaders"), folder_, fs::copy_options::recursive);
+    const fs::path header = folder_ / "shared" / "oit_constants.h";
+    std::string text = readTextFile(header);
+    const std::string define = "#define LOCK_BOUND ";
+    const std::size_t at = text.find(define);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, text.find('\n', at) - at, define + bound);
+    fs::permissions(header, fs::perms::owner_write, fs::perm_options::add);
+    std::ofstream(header) << text;
+  }
+  ~ShadersWithLockBound() { fs::remove_all(folder_); }
+  ShadersWithLockBound(const ShadersWithLockBound&) = delete;
+  ShadersWithLockBound& operator=(const ShadersWithLockBound&) = delete;
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+constexpr int kLayers = 12;
+constexpr int kSlots = 5;
+constexpr glm::ivec2 kSize{32, 20};
+constexpr std::uint64_t kPixels = 32 * 20;
+
+std::vector<OitSettings> lockedCases() {
+  std::vector<OitSettings> all;
+  for (const OitSettings& oit : sortedCases(kSlots)) {
+    if (oit.sync == "spinlock" && oit.importance == passes::Predictor::Published &&
+        (oit.method != "kb-variable" || oit.fill)) {
+      all.push_back(oit);
+    }
+  }
+  return all;
+}
+
+class Turns : public GlTest {};
+
+TEST_F(Turns, AreNeverMissedWithTheUsualBound) {
+  for (const OitSettings& oit : lockedCases()) {
+    Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, machine());
+    EXPECT_EQ(bench.draw().lockFailures, 0U) << describe(oit);
+  }
+}
+
+TEST_F(Turns, GivenUpEverywhereAreCountedAsLost) {
+  const ShadersWithLockBound shaders("0");
+  passes::Machine own;
+  own.programs = gl::ProgramCache(shaders.folder());
+  for (const OitSettings& oit : lockedCases()) {
+    Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, own);
+    const passes::FrameResult result = bench.draw();
+    EXPECT_EQ(result.lockFailures, kLayers * kPixels) << describe(oit);
+    EXPECT_EQ(result.fragments->lost, kLayers * kPixels) << describe(oit);
+    EXPECT_EQ(result.fragments->stored, 0U) << describe(oit);
+    EXPECT_EQ(result.fragments->merged, 0U) << describe(oit);
+    EXPECT_FALSE(result.exact);
+    for (const float value : bench.linear()) ASSERT_EQ(value, 0.0F) << describe(oit);
+  }
+}
+
+TEST_F(Turns, GivenUpInPlacesLeaveTheOthersAlone) {
+  // No try in even columns, one in odd ones, which is enough where nobody contends.
+  const ShadersWithLockBound shaders("(int(gl_FragCoord.x) & 1)");
+  passes::Machine own;
+  own.programs = gl::ProgramCache(shaders.folder());
+  if (!own.ordered.passed) GTEST_SKIP() << "fragments of a pixel may contend here";
+  for (const OitSettings& oit : lockedCases()) {
+    if (oit.method == "kb-variable") continue;  // its slots differ from pixel to pixel
+    const scene::Scene scene = scene::makeLayers(kLayers, 1);
+    Bench whole(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, own);
+    const passes::FrameResult wanted = whole.draw();
+    const passes::FrameResult result = bench.draw();
+    EXPECT_EQ(result.lockFailures, kLayers * kPixels / 2) << describe(oit);
+    EXPECT_EQ(result.fragments->lost, (kLayers * kPixels + wanted.fragments->lost) / 2)
+        << describe(oit);
+    EXPECT_EQ(result.fragments->stored, wanted.fragments->stored / 2) << describe(oit);
+    EXPECT_EQ(result.fragments->merged, wanted.fragments->merged / 2) << describe(oit);
+    const std::vector<float> rgb = bench.linear();
+    const std::vector<float> all = whole.linear();
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+      ASSERT_EQ(rgb[i], i / 3 % 2 == 1 ? all[i] : 0.0F) << describe(oit);
+    }
+  }
+}
+
+image::Image8 displayed(const Bench& bench, glm::ivec2 size) {
+  image::Image8 image{size.x, size.y, 3, bench.display()};
+  return image;
+}
+
+TEST_F(Turns, WithoutThemPixelsMayDiffer) {
+  constexpr glm::ivec2 kLarger{96, 80};
+  for (const Tail tail : {Tail::None, Tail::Mean}) {
+    for (const int bytes : {16, 8}) {
+      const scene::Scene scene = tangle(300, 5);
+      OitSettings oit{.method = "kb-fixed", .kAve = 4.0, .tail = tail, .fragmentBytes = bytes};
+      Bench fixed(scene, settingsOf(oit), kLarger, machine());
+      oit.method = "kb-racy";
+      Bench racy(scene, settingsOf(oit), kLarger, machine());
+      fixed.draw();
+      const passes::FrameResult result = racy.draw();
+      EXPECT_FALSE(result.exact) << "it cannot promise anything";
+      const std::uint64_t unlike =
+          measure::countUnlikePixels(displayed(fixed, kLarger), displayed(racy, kLarger));
+      note("pixels unlike, " + describe(oit), static_cast<double>(unlike));
+      if (machine().ordered.passed) {
+        EXPECT_EQ(unlike, 0U) << "this rasteriser takes turns by itself";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace macula::test
