@@ -19,7 +19,7 @@ void CapturePass::declareWork(frame::PassDeclaration& d) const {
   if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Image);
   if (insertion != Insertion::AtomicMin) d.modifies(Resource::FragmentFill, Use::Image);
   if (plan_.keepsFrontNormal()) d.modifies(Resource::FrontNormal, Use::Image);
-  if (plan_.usesLocks()) d.modifies(Resource::FragmentLock, Use::Image);
+  if (plan_.usesLocks()) d.consumes(Resource::FragmentLock, Use::Image);
   // The keys of kb-atomic and the tails that an allocation has emptied are there already.
   const bool begun =
       insertion == Insertion::AtomicMin || (plan_.tailInSlot() && !plan_.dynamicTail());

@@ -13,7 +13,7 @@ bool ImportancePass::wanted() const {
 
 void ImportancePass::declareWork(frame::PassDeclaration& d) const {
   d.reads(plan_.countResource(), Use::Texture);
-  d.readsHistory(Resource::FrontNormal, Use::Texture);
+  d.keeps(Resource::FrontNormal, Use::Image);
   d.modifies(Resource::Importance, Use::Image);  // 0 where nothing is transparent
   if (plan_.factorMaps) d.modifies(Resource::ImportanceFactors, Use::Image);
   d.modifies(Resource::OitTotals, Use::Storage);
@@ -32,7 +32,7 @@ void ImportancePass::execute(frame::PassContext& context) {
               static_cast<float>(s.noise), plan_.layerLimit);
   glUniform1ui(1, plan_.seed + (s.noisePerFrame ? context.inputs().frameIndex : 0U));
   context.bindTexture(TEX_INPUT0, plan_.countResource());
-  context.bindTexture(TEX_INPUT1, Resource::FrontNormal);
+  context.bindImage(IMG_2, Resource::FrontNormal, GL_READ_WRITE);
   context.bindImage(IMG_0, Resource::Importance, GL_WRITE_ONLY);
   if (plan_.factorMaps) context.bindImage(IMG_1, Resource::ImportanceFactors, GL_WRITE_ONLY);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);

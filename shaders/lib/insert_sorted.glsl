@@ -33,7 +33,13 @@ void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
   }
   storeFragment(slots.first + slot, fragment);
 #ifdef FRONT_NORMAL
-  if (slot == 0u) {
+#ifdef TAIL_DYNAMIC
+  // What may yet go into a tail is nobody's front.
+  bool isFront = slot == 0u && (slots.tail || slots.capacity > TAIL_SLOTS);
+#else
+  bool isFront = slot == 0u;
+#endif
+  if (isFront) {
     // The geometric normal: one of a normal map would make the importance speckle.
     vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
     imageStore(frontNormal, p, vec4(n * facing(materials[inIds.x]), 1.0));

@@ -7,7 +7,7 @@ layout(local_size_x = STRIP_GROUP) in;
 #include "lib/oit.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
-layout(binding = TEX_INPUT1) uniform sampler2D frontNormal;
+layout(rgba8_snorm, binding = IMG_2) uniform image2D frontNormal;
 layout(r32ui, binding = IMG_0) writeonly uniform uimage2D importance;
 #ifdef FACTORS
 layout(rgba16f, binding = IMG_1) writeonly uniform image2D factors;
@@ -31,16 +31,20 @@ void main() {
   uint countMax = 0u;
   for (ivec2 p = first; p.x < end; ++p.x) {
     float count = texelFetch(fragmentCount, p, 0).r;
+    // What the last frame left stays, so that a pixel with no slot but its tail's, which finds no
+    // nearest fragment, does not lose and regain its normal from frame to frame.
+    vec4 normal = imageLoad(frontNormal, p);
+    if (normal.w > 0.0 && (count == 0.0 || frame.frame.y == 0u)) {
+      normal = vec4(0.0);
+      imageStore(frontNormal, p, normal);
+    }
     uint value = 0u;
     if (count > 0.0) {
       vec2 center = vec2(p) + 0.5;
       float depthFactor = depthComplexityFactor(count, s);
       float periphery = peripheryFactor(center, s);
       float fresnel = 1.0;
-      if (frame.frame.y != 0u) {
-        vec4 normal = texelFetch(frontNormal, p, 0);
-        if (normal.w > 0.0) fresnel = fresnelFactor(normal, toEyeAt(center));
-      }
+      if (normal.w > 0.0) fresnel = fresnelFactor(normal, toEyeAt(center));
       float total = max(0.0, periphery * depthFactor * fresnel + noiseTerm(p, noiseSeed, s));
       value = uint(total * float(IMPORTANCE_ONE) + 0.5);
       sum += value;

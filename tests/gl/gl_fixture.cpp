@@ -83,6 +83,15 @@ std::vector<float> Bench::floats(frame::Resource resource, int channels) const {
   return data;
 }
 
+std::vector<float> Bench::depths(frame::Resource resource) const {
+  const gl::Texture& texture = renderer.resources().texture(resource);
+  std::vector<float> data(static_cast<std::size_t>(texture.width()) *
+                          static_cast<std::size_t>(texture.height()));
+  glGetTextureImage(texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    static_cast<GLsizei>(data.size() * sizeof(float)), data.data());
+  return data;
+}
+
 std::vector<std::uint32_t> Bench::bufferWords(frame::Resource resource) const {
   const gl::Buffer& buffer = renderer.resources().buffer(resource);
   std::vector<std::uint32_t> data(buffer.bytes() / sizeof(std::uint32_t));

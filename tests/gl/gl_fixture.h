@@ -33,6 +33,8 @@ struct Bench {
   [[nodiscard]] std::vector<float> linear() const;
   /// Level 0 of an integer texture, rows from the bottom, `channels` words a texel.
   [[nodiscard]] std::vector<std::uint32_t> words(frame::Resource resource, int channels) const;
+  /// A depth texture.
+  [[nodiscard]] std::vector<float> depths(frame::Resource resource) const;
   [[nodiscard]] std::vector<float> floats(frame::Resource resource, int channels) const;
   [[nodiscard]] std::vector<std::uint32_t> bufferWords(frame::Resource resource) const;
 

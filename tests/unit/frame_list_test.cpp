@@ -26,8 +26,6 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RenderSettings settings;
   int frames = 0;
   for (const OitSettings& options : test::acceptedSettings()) {
-    // The pass that finds the depth to cull behind does not exist yet.
-    if (options.cull == Cull::Occupancy) continue;
     for (const SyncMode sync : test::syncModesOf(methodById(options.method))) {
       for (const bool factors : {false, true}) {
         settings.heatmap.map = factors ? "importance" : "none";

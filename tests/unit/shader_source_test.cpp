@@ -131,7 +131,8 @@ void addPlainTransparent(std::vector<Variant>& all) {
   for (const char* file :
        {"oit/sync_check.vert", "oit/sync_check.frag", "oit/full_screen.vert", "oit/tile_depth.frag",
         "oit/routing_check.frag", "oit/routing_check.comp", "oit/routing_depth.frag",
-        "oit/reserve.comp", "oit/histogram.comp", "oit/one_k.comp", "oit/weighted_resolve.comp"}) {
+        "oit/reserve.comp", "oit/histogram.comp", "oit/one_k.comp", "oit/weighted_resolve.comp",
+        "oit/predict.comp"}) {
     addCombinations(all, file, {}, {});
   }
   const Defines ids{{"POSITION_ONLY", "1"}, {"WITH_IDS", "1"}};
@@ -142,6 +143,8 @@ void addPlainTransparent(std::vector<Variant>& all) {
   addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_DEPTH", "1"}}), {});
   addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_IDS", "1"}}), {});
   addCombinations(all, "oit/peel.frag", {{"STAGE_COLOR", "1"}}, kShading);
+  addCombinations(all, "oit/occupancy.frag", {{"POSITION_ONLY", "1"}}, {"RANGES", "SYNC_ORDERED"});
+  addCombinations(all, "oit/cull_depth.frag", {}, {"RANGES"});
   addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
   addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
   addCombinations(all, "oit/slices.frag", {}, {"SYNC_ORDERED", "LIT", "TEXTURED"});
@@ -162,9 +165,7 @@ void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
     for (const char* round : {"0", "1"}) {
       all.add({"oit/price.comp", together(bids, {{"ROUND", round}}), {}});
     }
-    Defines share = handOutDefines(plan);
-    if (plan.slices()) share.emplace_back("SLICES", "1");
-    all.add({"oit/share.comp", share, {}});
+    all.add({"oit/share.comp", handOutDefines(plan), {}});
   } else if (method.hasRanges()) {
     const char* allocation =
         method.allocation == passes::Allocation::ExactCount ? "ALLOCATION_EXACT"
@@ -176,6 +177,7 @@ void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
   Defines capture = definesOf(plan);
   if (method.insertion != Insertion::AtomicMin) capture = together(capture, syncDefines(plan));
   if (plan.keepsFrontNormal()) capture.emplace_back("FRONT_NORMAL", "1");
+  if (plan.predictsCounts()) capture.emplace_back("COUNT_OUT", "1");
   std::vector<std::string> extensions;
   if (plan.sync == passes::SyncMode::Interlock && plan.sorted()) {
     extensions.emplace_back("GL_ARB_fragment_shader_interlock");
