@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/measure/fragment_image.h"
+#include "engine/scene/procedural/recipes.h"
 #include "oit_cases.h"
 #include "passes/oit/read_fragments.h"
 #include "shared/oit_constants.h"
@@ -152,6 +153,24 @@ TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
     }
   }
   note("images", images);
+}
+
+TEST_F(Tails, CountAsSlotsInTheHeatMap) {
+  // Eight layers and four slots for each pixel, one of them the tail: k is the same everywhere.
+  const scene::Scene scene = scene::makeLayers(8, 1);
+  passes::RenderSettings settings = settingsOf({.method = "kb-plus", .kAve = 4.0, .fill = true});
+  settings.heatmap.map = "k";
+  settings.heatmap.range = 8.0;
+  Bench bare(scene, settings, kTiny, machine());
+  settings.oit.tail = Tail::Mean;
+  Bench tailed(scene, settings, kTiny, machine());
+  settings.heatmap.range = 4.0;
+  Bench hottest(scene, settings, kTiny, machine());
+  bare.draw();
+  EXPECT_EQ(tailed.draw().layers->mean, 4.0);
+  hottest.draw();
+  EXPECT_EQ(tailed.display(), bare.display());
+  EXPECT_NE(tailed.display(), hottest.display()) << "four of eight is not the end of the scale";
 }
 
 TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {
