@@ -27,8 +27,9 @@ class Flip {
         size_(size),
         machine_(machine) {}
 
-  void expectNoDifference(const OitSettings& oit) {
-    const passes::RenderSettings settings = settingsOf(oit);
+  void expectNoDifference(const OitSettings& oit, int tile = 1) {
+    passes::RenderSettings settings = settingsOf(oit);
+    settings.importance.tile = tile;
     passes::FrameRenderer a(settings, machine_);
     passes::FrameRenderer b(settings, machine_);
     a.resize(size_);
@@ -96,6 +97,18 @@ TEST_F(Order, OfSortedBuffersOnCoplanarLayers) {
   for (const double kAve : {2.0, 3.0, 4.0, 7.0}) {
     flipAll(sheets(list), {16, 12}, sortedCases(kAve));
   }
+}
+
+TEST_F(Order, OfDepthSlicesThatPixelsShare) {
+  Flip flip(unlitTangle(240, 7), {47, 39}, machine());  // no multiple of a tile
+  for (const int tile : {2, 4}) {
+    for (const OitSettings& oit : sortedCases(2.0)) {
+      if (oit.importance == passes::Predictor::Published || oit.fragmentBytes == 8) continue;
+      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
+      flip.expectNoDifference(oit, tile);
+    }
+  }
+  flip.report();
 }
 
 TEST_F(Order, OfTheOtherMethods) {

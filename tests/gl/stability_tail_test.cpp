@@ -136,7 +136,7 @@ TEST_F(Tails, EmptyLayersChangeNothing) {
 TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
   int images = 0;
   for (const float alpha : {1.0F, 0.999F, 0.5F, 0.004F}) {
-    for (const float emissive : {0.0F, 1e4F}) {
+    for (const float emissive : {0.0F, 1e4F, 1e6F}) {
       const scene::GpuScene gpu(sheets(stack(alpha, emissive)), nullptr);
       for (const OitSettings& oit : scarceCases()) {
         const passes::RenderSettings settings = settingsOf(oit);
