@@ -133,6 +133,26 @@ TEST_F(Tails, EmptyLayersChangeNothing) {
   }
 }
 
+TEST_F(Tails, LeaveEmptyLayersOut) {
+  std::vector<Sheet> mixed = stack(0.05F, 0.0F);
+  std::vector<Sheet> solid;
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    if (i % 2 == 0) mixed[i].color.a = 0.0F;
+    if (i % 2 == 1) solid.push_back(mixed[i]);
+  }
+  // One slot, or two of 8 bytes: everything is in the tail.
+  for (const OitSettings& oit :
+       {OitSettings{.method = "kb-fixed", .kAve = 1.0, .tail = Tail::Mean},
+        OitSettings{.method = "kb-fixed", .kAve = 2.0, .tail = Tail::Mean, .fragmentBytes = 8},
+        OitSettings{.method = "kb-plus", .kAve = 1.0, .fill = true, .tail = Tail::Mean}}) {
+    Bench all(sheets(mixed), settingsOf(oit), kTiny, machine());
+    Bench some(sheets(solid), settingsOf(oit), kTiny, machine());
+    all.draw();
+    some.draw();
+    EXPECT_EQ(countUnlike(all.linear(), some.linear()), 0U) << describe(oit);
+  }
+}
+
 TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
   int images = 0;
   for (const float alpha : {1.0F, 0.999F, 0.5F, 0.004F}) {
