@@ -93,7 +93,9 @@ void HeatmapPass::execute(frame::PassContext& context) {
   glUseProgram(program_);
   glUniform1f(0, static_cast<float>(heatmapRange(settings_, plan_)));
   glUniform1i(1, samplesPerAxis_);
-  context.bindTexture(TEX_INPUT0, find(settings_.map)->source);
+  const Resource source = find(settings_.map)->source;
+  if (source == Resource::FragmentRange) glUniform1ui(2, plan_.tailSlots());
+  context.bindTexture(TEX_INPUT0, source);
   context.bindImage(IMG_0, Resource::DisplayColor, GL_READ_WRITE);
   context.dispatch(context.inputs().outputSize, kGroup);
 }

@@ -3,6 +3,7 @@
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "shared/bindings.h"
+#include "shared/oit_constants.h"
 #include "shared/viridis.h"
 
 #ifdef SOURCE_INTEGER
@@ -13,6 +14,9 @@ layout(binding = TEX_INPUT0) uniform sampler2D source;
 layout(rgba8, binding = IMG_0) uniform image2D displayColor;
 layout(location = 0) uniform float range;
 layout(location = 1) uniform int samplesPerAxis;
+#ifdef SOURCE_INTEGER
+layout(location = 2) uniform uint tailSlots;  // of a pixel that has a tail
+#endif
 
 vec3 viridis(float t) {
   const vec3 points[VIRIDIS_POINTS] = vec3[](vec3(VIRIDIS_0), vec3(VIRIDIS_1), vec3(VIRIDIS_2),
@@ -25,7 +29,12 @@ vec3 viridis(float t) {
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(p, imageSize(displayColor)))) return;
-  float value = float(texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL);
+#ifdef SOURCE_INTEGER
+  uint slots = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
+  float value = float((slots & ~RANGE_TAIL) + ((slots & RANGE_TAIL) != 0u ? tailSlots : 0u));
+#else
+  float value = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
+#endif
   vec3 image = imageLoad(displayColor, p).rgb;
   // Where there is nothing to show, the image stays to be recognised, without its colours.
   float grey = dot(image, vec3(0.2126, 0.7152, 0.0722));

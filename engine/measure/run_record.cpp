@@ -66,6 +66,7 @@ Json frameJson(const FrameRecord& frame) {
           {"k", layersJson(frame.layers)},
           {"error", errorJson(frame.error)},
           {"flicker", orNull(frame.flicker)},
+          {"hazards", orNull(frame.hazards)},
           {"exact", frame.exact},
           {"image_sha256", frame.imageSha256}};
 }

@@ -41,7 +41,8 @@ struct FrameRecord {
   std::optional<FragmentNumbers> fragments;
   std::optional<LayerNumbers> layers;
   std::optional<ImageError> error;
-  std::optional<double> flicker;  ///< see FlickerMeter; none for the first frame
+  std::optional<double> flicker;         ///< see FlickerMeter; none for the first frame
+  std::optional<std::uint64_t> hazards;  ///< see countUnlikePixels(); of racy methods only
   bool exact = false;
   std::string imageSha256;
 };

@@ -22,7 +22,7 @@ void RoutedPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void RoutedPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  programs_ = &programs;
+  routing_ = routingProgram(programs);
   variants_.prepare(in.gpu->transparent().runs, "oit/routed.frag", lightingDefines(in.facts), {},
                     programs);
   if (mode_ == RoutingMode::None) mode_ = checkStencilRouting(programs);
@@ -38,7 +38,7 @@ void RoutedPass::execute(frame::PassContext& context) {
   constexpr GLuint kEmpty[4]{NO_KEY, NO_KEY, NO_KEY, NO_KEY};
   glClearBufferuiv(GL_COLOR, 0, kEmpty);
   const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
-  prepareRouting(*programs_, context.resources().texture(depth).id(), plan_.layers);
+  prepareRouting(routing_, context.resources().texture(depth).id(), plan_.layers);
   beginRouting(mode_);
   gpu.bindLights();
   context.bindTexture(TEX_SHADOW_MAP, Resource::ShadowMap);

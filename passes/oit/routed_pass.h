@@ -21,7 +21,7 @@ class RoutedPass final : public OitPass {
 
   SceneVariants variants_;
   RoutingMode mode_ = RoutingMode::None;
-  gl::ProgramCache* programs_ = nullptr;
+  GLuint routing_ = 0;
 };
 
 }  // namespace macula::passes

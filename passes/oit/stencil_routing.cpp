@@ -40,7 +40,7 @@ bool dealsOut(RoutingMode mode, gl::ProgramCache& programs) {
   glClearTexImage(depth.id(), 0, GL_RED, GL_FLOAT, nullptr);
   const GLuint none[4]{};
   glClearBufferuiv(GL_COLOR, 0, none);
-  prepareRouting(programs, depth.id(), kSamples);
+  prepareRouting(routingProgram(programs), depth.id(), kSamples);
   beginRouting(mode);
   const GLuint layer = programs.get({{"oit/full_screen.vert", "oit/routing_check.frag"}, {}, {}});
   for (GLuint number = 1; number <= kSamples; ++number) {
@@ -68,8 +68,11 @@ RoutingMode checkStencilRouting(gl::ProgramCache& programs) {
   return dealsOut(RoutingMode::Multi, programs) ? RoutingMode::Multi : RoutingMode::None;
 }
 
-void prepareRouting(gl::ProgramCache& programs, GLuint opaqueDepth, std::uint32_t slots) {
-  const GLuint program = programs.get({{"oit/full_screen.vert", "oit/routing_depth.frag"}, {}, {}});
+GLuint routingProgram(gl::ProgramCache& programs) {
+  return programs.get({{"oit/full_screen.vert", "oit/routing_depth.frag"}, {}, {}});
+}
+
+void prepareRouting(GLuint program, GLuint opaqueDepth, std::uint32_t slots) {
   glBindTextureUnit(TEX_INPUT0, opaqueDepth);
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
   glEnable(GL_MULTISAMPLE);

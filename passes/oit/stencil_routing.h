@@ -18,9 +18,13 @@ enum class RoutingMode : std::uint8_t {
 /// Draws two layers over a pixel of two samples in each mode, and looks which sample got which.
 [[nodiscard]] RoutingMode checkStencilRouting(gl::ProgramCache& programs);
 
+/// What prepareRouting() draws with.
+[[nodiscard]] GLuint routingProgram(gl::ProgramCache& programs);
+
 /// Sets the stencil of sample i to i + 1 and its depth to that of `opaqueDepth`, in the bound
-/// framebuffer. @param slots samples that take a fragment; the others get 0
-void prepareRouting(gl::ProgramCache& programs, GLuint opaqueDepth, std::uint32_t slots);
+/// framebuffer. @param program routingProgram() · @param slots samples that take a fragment; the
+/// others get 0
+void prepareRouting(GLuint program, GLuint opaqueDepth, std::uint32_t slots);
 
 /// Stencil state under which each fragment goes to the next free sample; endRouting() ends it.
 void beginRouting(RoutingMode mode);

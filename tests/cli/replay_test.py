@@ -30,9 +30,10 @@ def check_schema(report):
     for i, frame in enumerate(report["frames"]):
         assert frame["index"] == i
         assert set(frame) == {"index", "time_s", "gaze", "r", "ms", "fragments", "k", "error",
-                              "flicker", "exact", "image_sha256"}, set(frame)
+                              "flicker", "hazards", "exact", "image_sha256"}, set(frame)
         assert set(frame["gaze"]) == {"x", "y", "raw_x", "raw_y", "state", "age_s"}
         assert set(frame["error"]) == {"rmse", "psnr_db", "max", "flip", "flip_gaze"}
+        assert (frame["hazards"] is not None) == (report["method"] == "kb-racy"), frame["hazards"]
         compared = frame["error"]["rmse"] is not None
         assert (frame["error"]["flip_gaze"] is not None) == compared
         assert (frame["flicker"] is not None) == (compared and i > 0), frame["flicker"]
@@ -65,6 +66,19 @@ def check_budget(folder):
         assert f["stored"] + f["merged"] + f["lost"] == f["generated"]
         assert f["stored"] * 16 <= report["bytes"]["budget"]
         assert frame["error"]["rmse"] > 0.001, "56 of 64 equal layers are missing on average"
+
+
+def check_hazards(folder):
+    options = ("--frames", "2", "--size", "64x48", "--k-ave", "4")
+    racy, _ = replay(folder, "layers-64", "--method", "kb-racy", *options)
+    fixed, _ = replay(folder, "layers-64", "--method", "kb-fixed", *options)
+    check_schema(racy)
+    check_schema(fixed)
+    for a, b in zip(racy["frames"], fixed["frames"]):
+        assert 0 <= a["hazards"] <= 64 * 48, a["hazards"]
+        # No hazard shows as no other image.
+        assert (a["hazards"] == 0) == (a["image_sha256"] == b["image_sha256"]), a["hazards"]
+        assert a["exact"] is False
 
 
 def check_identical_is_null(folder):
@@ -148,6 +162,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_exact_layers(folder)
         check_budget(folder)
+        check_hazards(folder)
         check_identical_is_null(folder)
         check_images(folder)
         check_hdr(folder)

@@ -1,6 +1,8 @@
 // Depths that are equal, that cross, that meet opaque surfaces, and that are very many.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "engine/scene/procedural/recipes.h"
 #include "oit_cases.h"
 
@@ -156,6 +158,30 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
     dark.draw();
     EXPECT_LT(largestDifference(bench.linear(), dark.linear()), 1e-3F) << describe(oit);
     EXPECT_TRUE(allFinite(bench.linear())) << describe(oit);
+  }
+}
+
+TEST_F(Depths, OfTheFirstDrawnAreSortedByStencilRouting) {
+  if (machine().capabilities.routableSamples.empty()) GTEST_SKIP() << "no multisample targets";
+  const int k = machine().capabilities.routableSamples.front();
+  std::vector<Sheet> list;
+  for (int i = 0; i < k + 2; ++i) {
+    list.push_back({1.0F + static_cast<float>(i * 5 % (k + 3)), variedColor(i + 1, 0.4F)});
+  }
+  for (const bool reversed : {false, true}) {
+    const OitSettings oit{.method = "kb-stencil", .kAve = static_cast<double>(k)};
+    Bench bench(sheets(list), settingsOf(oit), kSize, machine(), {.reversed = reversed});
+    const passes::FrameResult result = bench.draw();
+    EXPECT_EQ(result.fragments->stored, static_cast<std::uint64_t>(k) * kPixels);
+    EXPECT_EQ(result.fragments->lost, 2 * kPixels);
+    EXPECT_FALSE(result.exact);
+    std::vector<Sheet> kept(reversed ? list.begin() + 2 : list.begin(),
+                            reversed ? list.end() : list.end() - 2);
+    std::sort(kept.begin(), kept.end(),
+              [](const Sheet& a, const Sheet& b) { return a.distance < b.distance; });
+    std::vector<glm::vec4> colors;
+    for (const Sheet& sheet : kept) colors.push_back(sheet.color);
+    expectEvenly(bench.linear(), over(colors, {}), reversed ? "reversed" : "as given");
   }
 }
 

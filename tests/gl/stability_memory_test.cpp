@@ -81,6 +81,48 @@ TEST_F(Memory, AFullArrayKeepsTheFirstDrawn) {
   }
 }
 
+TEST_F(Memory, AnOverflowLeavesOtherPixelsAlone) {
+  const scene::Scene scene = tangle(240, 5);
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
+  const std::uint64_t generated = exact.draw().fragments->generated;
+  const std::vector<float> wanted = exact.linear();
+  const auto counts = exact.floats(frame::Resource::FragmentCount, 1);
+  for (const char* sync : {"ordered", "spinlock"}) {
+    const OitSettings array{.method = "ab-array", .sync = sync, .layers = 5};
+    // Half of what the scene needs.
+    const OitSettings ranges{.method = "ab-sbuffer",
+                             .memoryMiB = 8.0 * static_cast<double>(generated) / (1 << 20),
+                             .sync = sync};
+    for (const OitSettings& oit : {array, ranges}) {
+      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
+      Bench bench(scene, settingsOf(oit), kSize, machine());
+      const passes::FrameResult result = bench.draw();
+      EXPECT_GT(result.fragments->lost, 500U) << describe(oit);
+      const std::vector<float> rgb = bench.linear();
+      std::vector<std::uint32_t> table;
+      if (bench.renderer.plan().method->hasRanges()) {
+        table = bench.words(frame::Resource::FragmentRange, 2);
+      }
+      std::size_t whole = 0;
+      std::size_t unlike = 0;
+      for (std::size_t p = 0; p < counts.size(); ++p) {
+        const double slots = table.empty() ? 5.0 : table[2 * p + 1];
+        if (counts[p] > slots) continue;  // some of this pixel's are lost
+        ++whole;
+        // Tables have rows from the bottom, images from the top.
+        const std::size_t row = static_cast<std::size_t>(kSize.y) - 1 - p / 48;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const std::size_t i = 3 * (row * 48 + p % 48) + c;
+          if (rgb[i] != wanted[i]) ++unlike;
+        }
+      }
+      EXPECT_GT(whole, kPixels / 10) << describe(oit);
+      EXPECT_EQ(unlike, 0U) << describe(oit);
+      note("whole pixels of " + describe(oit), static_cast<double>(whole));
+    }
+  }
+}
+
 TEST_F(Memory, ARefusedGrowthLeavesTheRendererUsable) {
   const scene::Scene deep = scene::makeLayers(64, 1);
   const scene::GpuScene few(scene::makeLayers(2, 1), nullptr);

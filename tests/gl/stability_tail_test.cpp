@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/measure/fragment_image.h"
+#include "engine/scene/procedural/recipes.h"
 #include "oit_cases.h"
 #include "passes/oit/read_fragments.h"
 #include "shared/oit_constants.h"
@@ -132,10 +133,30 @@ TEST_F(Tails, EmptyLayersChangeNothing) {
   }
 }
 
+TEST_F(Tails, LeaveEmptyLayersOut) {
+  std::vector<Sheet> mixed = stack(0.05F, 0.0F);
+  std::vector<Sheet> solid;
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    if (i % 2 == 0) mixed[i].color.a = 0.0F;
+    if (i % 2 == 1) solid.push_back(mixed[i]);
+  }
+  // One slot, or two of 8 bytes: everything is in the tail.
+  for (const OitSettings& oit :
+       {OitSettings{.method = "kb-fixed", .kAve = 1.0, .tail = Tail::Mean},
+        OitSettings{.method = "kb-fixed", .kAve = 2.0, .tail = Tail::Mean, .fragmentBytes = 8},
+        OitSettings{.method = "kb-plus", .kAve = 1.0, .fill = true, .tail = Tail::Mean}}) {
+    Bench all(sheets(mixed), settingsOf(oit), kTiny, machine());
+    Bench some(sheets(solid), settingsOf(oit), kTiny, machine());
+    all.draw();
+    some.draw();
+    EXPECT_EQ(countUnlike(all.linear(), some.linear()), 0U) << describe(oit);
+  }
+}
+
 TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
   int images = 0;
   for (const float alpha : {1.0F, 0.999F, 0.5F, 0.004F}) {
-    for (const float emissive : {0.0F, 1e4F}) {
+    for (const float emissive : {0.0F, 1e4F, 1e6F}) {
       const scene::GpuScene gpu(sheets(stack(alpha, emissive)), nullptr);
       for (const OitSettings& oit : scarceCases()) {
         const passes::RenderSettings settings = settingsOf(oit);
@@ -152,6 +173,24 @@ TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
     }
   }
   note("images", images);
+}
+
+TEST_F(Tails, CountAsSlotsInTheHeatMap) {
+  // Eight layers and four slots for each pixel, one of them the tail: k is the same everywhere.
+  const scene::Scene scene = scene::makeLayers(8, 1);
+  passes::RenderSettings settings = settingsOf({.method = "kb-plus", .kAve = 4.0, .fill = true});
+  settings.heatmap.map = "k";
+  settings.heatmap.range = 8.0;
+  Bench bare(scene, settings, kTiny, machine());
+  settings.oit.tail = Tail::Mean;
+  Bench tailed(scene, settings, kTiny, machine());
+  settings.heatmap.range = 4.0;
+  Bench hottest(scene, settings, kTiny, machine());
+  bare.draw();
+  EXPECT_EQ(tailed.draw().layers->mean, 4.0);
+  hottest.draw();
+  EXPECT_EQ(tailed.display(), bare.display());
+  EXPECT_NE(tailed.display(), hottest.display()) << "four of eight is not the end of the scale";
 }
 
 TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {

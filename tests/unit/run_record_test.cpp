@@ -61,6 +61,15 @@ TEST(RunRecord, FlickerIsOverAllFramesButTheFirst) {
   EXPECT_EQ(json["summary"]["flicker"], 0.375);
 }
 
+TEST(RunRecord, HazardsAreOfRacyMethodsOnly) {
+  RunRecord run;
+  run.frames = {frame(1, 0, 0), frame(1, 0, 0)};
+  run.frames[1].hazards = 7;
+  const auto json = toJson(run);
+  EXPECT_TRUE(json["frames"][0]["hazards"].is_null());
+  EXPECT_EQ(json["frames"][1]["hazards"], 7);
+}
+
 TEST(RunRecord, AMeanOfSomeFramesIsNone) {
   RunRecord run;
   run.frames = {frame(1, 0.1, 0), frame(1, 0.1, 0)};

@@ -15,6 +15,7 @@
 #include "engine/gaze/source.h"
 #include "engine/image/image.h"
 #include "engine/measure/flicker.h"
+#include "engine/measure/hazards.h"
 #include "engine/measure/image_error.h"
 #include "engine/measure/run_record.h"
 #include "macula_version.h"
@@ -138,6 +139,15 @@ void compareWithReference(measure::FrameRecord& record, const Painter& reference
   record.flicker = flicker.next(wanted, got);
 }
 
+/// The same method with turns, to count a racy one's hazards against.
+passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
+  passes::RenderSettings other = settings;
+  other.oit.method = "kb-fixed";
+  other.oit.sync = "auto";
+  other.tonemap.linearOut = false;
+  return other;
+}
+
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
   const auto& summary = report["summary"];
   fmt::print("{} frames of {} by {}: median {:.2f} ms", options.frames, options.scene,
@@ -162,6 +172,7 @@ void replay(const ReplayOptions& options) {
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";
   const passes::RenderSettings referenceSettings = passes::referenceOf(settings);
+  const passes::RenderSettings turnsSettings = withTurns(settings);
 
   const window::HeadlessContext context(platformOf(options.platform));
   passes::Machine machine;
@@ -172,6 +183,11 @@ void replay(const ReplayOptions& options) {
   std::optional<Painter> reference;
   if (options.reference) reference.emplace(referenceSettings, machine, gpu, size);
 
+  std::optional<Painter> turns;
+  if (passes::methodById(settings.oit.method).isRacy()) {
+    turns.emplace(turnsSettings, machine, gpu, size);
+  }
+
   measure::RunRecord run;
   run.loadMs = loaded.loadMs;
   const auto noteFirstFrame = [&] {
@@ -181,6 +197,7 @@ void replay(const ReplayOptions& options) {
   for (int i = 0; i < options.warmup; ++i) {
     painter.draw(path.at(0.0), first.position, false);
     if (reference) reference->draw(path.at(0.0), first.position, false);
+    if (turns) turns->draw(path.at(0.0), first.position, false);
     noteFirstFrame();
   }
 
@@ -199,6 +216,11 @@ void replay(const ReplayOptions& options) {
     record.timeSeconds = time;
     record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter.display().pixels)));
     if (!options.images.empty()) painter.write(options.out, "frame", i, options.images);
+    if (turns) {
+      turns->draw(camera, point.position, cut);
+      turns->readBack();
+      record.hazards = measure::countUnlikePixels(turns->display(), painter.display());
+    }
     if (reference) {
       reference->draw(camera, point.position, cut);
       reference->readBack();
