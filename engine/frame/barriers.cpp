@@ -24,7 +24,7 @@ constexpr GLbitfield kAllUses = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_A
 bool writesIncoherently(const Touch& touch) {
   const bool writes = touch.access == Access::Write || touch.access == Access::Modify ||
                       touch.access == Access::Keep || touch.access == Access::Consume ||
-                      touch.access == Access::Scratch;
+                      touch.access == Access::Scratch || touch.access == Access::Carry;
   return writes && (touch.use == Use::Image || touch.use == Use::Storage);
 }
 

@@ -30,6 +30,7 @@ enum class Access : std::uint8_t {
   Modify,       ///< read and written
   Consume,      ///< read, and left without a defined content
   Keep,         ///< written only when it changes; stays valid in later frames
+  Carry,        ///< as the last frame left it, changed in place
   Scratch,      ///< written and read within the pass; nobody else sees it
 };
 
@@ -48,6 +49,7 @@ class PassDeclaration {
   void modifies(Resource r, Use use) { touches_.push_back({r, use, Access::Modify}); }
   void consumes(Resource r, Use use) { touches_.push_back({r, use, Access::Consume}); }
   void keeps(Resource r, Use use) { touches_.push_back({r, use, Access::Keep}); }
+  void carries(Resource r, Use use) { touches_.push_back({r, use, Access::Carry}); }
   void uses(Resource r, Use use) { touches_.push_back({r, use, Access::Scratch}); }
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
 

@@ -52,7 +52,7 @@ class Validator {
 
   void visitRead(const DeclaredPass& pass, const Touch& touch) {
     State& s = state(touch.resource);
-    if (touch.access == Access::ReadHistory) {
+    if (touch.access == Access::ReadHistory || touch.access == Access::Carry) {
       s.isHistory = true;
       if (!s.writer.empty()) {
         report("pass '{}' reads the history of {}, which pass '{}' has already overwritten",

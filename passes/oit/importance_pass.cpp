@@ -13,7 +13,7 @@ bool ImportancePass::wanted() const {
 
 void ImportancePass::declareWork(frame::PassDeclaration& d) const {
   d.reads(plan_.countResource(), Use::Texture);
-  d.keeps(Resource::FrontNormal, Use::Image);
+  d.carries(Resource::FrontNormal, Use::Image);
   d.modifies(Resource::Importance, Use::Image);  // 0 where nothing is transparent
   if (plan_.factorMaps) d.modifies(Resource::ImportanceFactors, Use::Image);
   d.modifies(Resource::OitTotals, Use::Storage);

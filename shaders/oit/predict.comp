@@ -41,7 +41,9 @@ void main() {
   ivec2 high = ivec2(ceil(last));
   float count = max(max(countAt(low), countAt(high)),
                     max(countAt(ivec2(low.x, high.y)), countAt(ivec2(high.x, low.y))));
-  for (int i = 0; i < 9 && count == 0.0; ++i) {
+  // Only the camera moves: where it has not, neither has an edge.
+  bool still = ivec2(nearest) == p && last == nearest;
+  for (int i = 0; i < 9 && count == 0.0 && !still; ++i) {
     count = min(countAt(ivec2(nearest) + ivec2(i % 3, i / 3) - 1), 1.0);
   }
   imageStore(predictedCount, p, vec4(count));

@@ -109,7 +109,7 @@ TEST_F(GlTest, StillViewsWithTailsRepeat) {
     settings.oit.count = count;
     Bench bench(tangle(300, 6), settings, {64, 48}, machine());
     // A pixel whose only slot is its tail's learns its front's normal when it first gets another.
-    constexpr int kSettling = 12;
+    constexpr int kSettling = 30;
     for (int i = 0; i < kSettling; ++i) bench.draw();
     const auto still = bench.linear();
     for (int i = 0; i < 3; ++i) {
