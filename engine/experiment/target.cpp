@@ -165,7 +165,9 @@ class Judge {
         row.note = other == nullptr ? id + " has no point here" : missing(*other, id);
         return;
       }
-      falling = falling && (!before || *value < *before);
+      // Where nothing is left to lower, equal is as good.
+      const bool least = *value == 0.0 && before == 0.0;
+      falling = falling && (!before || *value < *before || least);
       row.note += fmt::format("{}{:.4g} ({})", before ? ", " : "", *value, id);
       before = value;
     }

@@ -36,10 +36,10 @@ void checkImportance(const OitSettings& s, const Method& method) {
   if (s.count == CountSource::Predicted && !importance) {
     failInput("oit.count: only kb-variable can go by predicted counts, not {}", method.id);
   }
-  if (s.count == CountSource::Predicted && s.tail == Tail::None) {
+  if (s.count == CountSource::Predicted && s.cull == Cull::Occupancy) {
     failInput(
-        "oit.count: where more fragments come than were predicted they need a tail; add "
-        "--oit.tail mean");
+        "oit.count: culling needs the depths that a count pass finds; use --oit.cull none or "
+        "--oit.count drawn");
   }
   if (s.count == CountSource::Predicted && s.importance != Predictor::Published) {
     failInput(

@@ -31,13 +31,13 @@ const std::vector<Refused>& refused() {
       {{.method = "kb-plus", .tail = Tail::Mean, .count = CountSource::Predicted},
        "oit.count:",
        "only kb-variable"},
-      {{.count = CountSource::Predicted}, "oit.count:", "add --oit.tail mean"},
       {{.tail = Tail::Mean, .importance = Predictor::Error, .count = CountSource::Predicted},
        "oit.count:",
        "depth slices"},
       {{.tail = Tail::Mean, .fragmentBytes = 8, .count = CountSource::Predicted},
        "oit.count:",
        "16 bytes"},
+      {{.cull = Cull::Occupancy, .count = CountSource::Predicted}, "oit.count:", "culling needs"},
       {{.method = "kb-racy", .sync = "spinlock"}, "oit.sync:", "kb-fixed without turns"},
       {{.method = "kb-atomic", .sync = "spinlock"}, "oit.sync:", "need no turns"},
       {{.method = "kb-stencil", .sync = "ordered"}, "oit.sync:", "need no turns"},
@@ -85,6 +85,7 @@ TEST(Combinations, AcceptedOnesPass) {
       {.fill = true, .importance = Predictor::Error, .fragmentBytes = 8},
       {.fill = true, .tail = Tail::Mean, .importance = Predictor::Transmittance},
       {.tail = Tail::Mean, .count = CountSource::Predicted},
+      {.count = CountSource::Predicted},
   };
   for (const OitSettings& settings : accepted) {
     EXPECT_NO_THROW(checkCombination(settings)) << test::describe(settings);
