@@ -1,7 +1,6 @@
 #include "passes/frame_renderer.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/core/error.h"
 #include "engine/frame/pass_context.h"
@@ -20,8 +19,6 @@ namespace {
 
 /// N_limit before anything was counted: the paper's own range is 20 to 30 (Vasilakis 2017, 3.2).
 constexpr float kFirstLayerLimit = 30.0F;
-/// First size of an exact method's pool, in slots a sample; it grows to what the frames need.
-constexpr std::uint64_t kFirstSlotsPerSample = 2;
 
 /// Fragments that heap sort and composition handle in 65,535 loop iterations: n log2 n + 3 n.
 constexpr std::uint32_t kDeepestBoundedSort = 4096;
@@ -32,14 +29,6 @@ constexpr std::uint32_t kDeepestBoundedMerge = 2048;
 /// every frame twice.
 std::uint32_t grown(std::uint32_t needed) {
   return needed + needed / 8;
-}
-
-SyncMode syncByName(const std::string& name) {
-  for (const SyncMode mode :
-       {SyncMode::Interlock, SyncMode::Spinlock, SyncMode::Ordered, SyncMode::None}) {
-    if (name == nameOf(mode)) return mode;
-  }
-  return SyncMode::Auto;
 }
 
 /// Red, green and blue of a texture, rows from the top.
@@ -100,118 +89,6 @@ void FrameRenderer::resize(glm::ivec2 outputSize) {
 void FrameRenderer::settingsChanged() {
   prepared_ = false;
   historyUsable_ = false;
-}
-
-void FrameRenderer::sizePool(std::uint32_t slots) {
-  plan_.slots = std::max(1U, slots);
-  // 16-byte fragments keep key and colour apart; packed ones are all key.
-  resources_.setBufferBytes(Resource::FragmentKeys, plan_.slots * kFragmentBytes / 2);
-  resources_.setBufferBytes(Resource::FragmentColors, plan_.slots * kFragmentBytes / 2);
-  resources_.setBufferBytes(Resource::FragmentLinks, plan_.slots * kLinkBytes);
-}
-
-void FrameRenderer::planRoutedSamples() {
-  // Bytes are promised, so only numbers of samples that the GPU really makes are used.
-  int best = 0;
-  int least = 0;
-  for (const int samples : machine_.capabilities.routableSamples) {
-    if (samples <= static_cast<int>(plan_.layers)) best = std::max(best, samples);
-    if (least == 0 || samples < least) least = samples;
-  }
-  if (best == 0) {
-    failInput(
-        "kb-stencil keeps a fragment in each sample, and {} has {} samples a pixel at the least; "
-        "the budget gives {}; raise --k-ave or --oit-memory, or use kb-fixed",
-        machine_.capabilities.renderer, least, plan_.layers);
-  }
-  plan_.layers = static_cast<std::uint32_t>(best);
-  resources_.setMultisamples(best);
-}
-
-void FrameRenderer::planMethod(std::uint64_t samples) {
-  const Method* before = plan_.method;
-  plan_.method = &methodById(settings_.oit.method);
-  plan_.options = settings_.oit;
-  plan_.layers = static_cast<std::uint32_t>(settings_.oit.layers);
-  const SyncMode wish = syncByName(settings_.oit.sync);
-  plan_.sync = plan_.method->isRacy()
-                   ? SyncMode::None
-                   : chooseSync(wish, machine_.capabilities, machine_.ordered);
-  plan_.budgetBytes.reset();
-  constexpr double kMebi = 1024.0 * 1024.0;
-  if (plan_.method->hasBudget()) {
-    planBudget(plan_, samples);
-    if (plan_.method->insertion == Insertion::StencilRouted) planRoutedSamples();
-    sizePool(plan_.slots);
-  } else if (plan_.method->grows() && settings_.oit.memoryMiB > 0.0) {
-    // A cap instead of growth: what does not fit is counted, and the frame is flagged inexact.
-    const std::uint64_t each =
-        kFragmentBytes + (plan_.method->insertion == Insertion::Linked ? kLinkBytes : 0);
-    plan_.budgetBytes = static_cast<std::uint64_t>(settings_.oit.memoryMiB * kMebi);
-    if (*plan_.budgetBytes < each) {
-      failInput("--oit-memory of {} bytes holds no fragment ({} bytes each); raise it, or 0",
-                *plan_.budgetBytes, each);
-    }
-    sizePool(static_cast<std::uint32_t>(*plan_.budgetBytes / each));
-  } else if (plan_.method->allocation == Allocation::Constant) {
-    const std::uint64_t slots = plan_.layers * samples;
-    if (slots > std::numeric_limits<std::uint32_t>::max()) {
-      failInput(
-          "{} slots for each of {} samples are more than can be addressed; lower "
-          "--oit.layers or --size",
-          plan_.layers, samples);
-    }
-    sizePool(static_cast<std::uint32_t>(slots));
-  } else if (before != plan_.method || plan_.slots < samples * kFirstSlotsPerSample) {
-    sizePool(static_cast<std::uint32_t>(samples * kFirstSlotsPerSample));
-  }
-}
-
-void FrameRenderer::allocate() {
-  try {
-    list_.prepare(inputs_, resources_, machine_.programs,
-                  machine_.capabilities.maxStorageBlockBytes);
-  } catch (...) {
-    // No frame may be drawn with a pool that is larger than its memory: the next one plans anew.
-    prepared_ = false;
-    plan_.slots = 0;
-    throw;
-  }
-}
-
-void FrameRenderer::prepare() {
-  inputs_.displaySize = inputs_.outputSize * settings_.tonemap.ssaa;
-  const auto samples = static_cast<std::uint64_t>(inputs_.displaySize.x) *
-                       static_cast<std::uint64_t>(inputs_.displaySize.y);
-  checkCombination(settings_.oit);
-  plan_.importance = settings_.importance;
-  plan_.seed = settings_.seed;
-  plan_.factorMaps = needsFactors(settings_.heatmap.map);
-  planMethod(samples);
-  resources_.setBufferBytes(Resource::OitTotals, sizeof(shader::OitTotals));
-  const glm::ivec2 size = inputs_.displaySize;
-  const glm::ivec2 tiles = (size + plan_.importance.tile - 1) / plan_.importance.tile;
-  const auto area = [](glm::ivec2 s) {
-    return static_cast<std::size_t>(s.x) * static_cast<std::size_t>(s.y);
-  };
-  constexpr std::size_t kVectorBytes = 16;
-  resources_.setFixedSize(Resource::TileDepth, tiles);
-  resources_.setBufferBytes(
-      Resource::SliceSums,
-      area(tiles) * static_cast<std::size_t>(plan_.importance.slices) * kVectorBytes);
-  resources_.setBufferBytes(
-      Resource::StripSums,
-      (area({(size.x + STRIP - 1) / STRIP, size.y}) + static_cast<std::size_t>(size.y)) *
-          kVectorBytes);
-  resources_.setBufferBytes(Resource::Occupancy, area(size) *
-                                                     static_cast<std::size_t>(plan_.options.cullWords) *
-                                                     sizeof(std::uint32_t));
-  resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
-  resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
-  resources_.setBackground(settings_.background);
-  allocate();
-  if (inputs_.facts.transparentTriangles > 0) statistics_.prepare(inputs_, machine_.programs);
-  prepared_ = true;
 }
 
 void FrameRenderer::uploadConstants() {
@@ -302,8 +179,8 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   if (method.insertion == Insertion::Linked) counts.stored = std::min(totals.cursor, plan_.slots);
   // A tail is thought to hold all that is not stored; what was given up at a lock never reached it.
   const std::uint64_t left = counts.generated - counts.stored;
-  counts.merged = std::min<std::uint64_t>(
-      s.merged, left - std::min<std::uint64_t>(left, totals.lockFailures));
+  counts.merged =
+      std::min<std::uint64_t>(s.merged, left - std::min<std::uint64_t>(left, totals.lockFailures));
   counts.lost = counts.generated - counts.stored - counts.merged;
   result.fragments = counts;
   result.deepest = s.countMax;
@@ -316,9 +193,9 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
   // Where the device bounds loops, the sort of a deeper pixel would be cut short.
   const std::uint32_t deepest =
       method.insertion == Insertion::Linked ? kDeepestBoundedMerge : kDeepestBoundedSort;
-  const bool sortable = (method.insertion != Insertion::Appended &&
-                         method.insertion != Insertion::Linked) ||
-                        machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
+  const bool sortable =
+      (method.insertion != Insertion::Appended && method.insertion != Insertion::Linked) ||
+      machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
   const bool keepsOrder = plan_.sync != SyncMode::None || method.insertion != Insertion::Sorted;
   result.exact = counts.lost == 0 && counts.merged == 0 && keepsOrder && sortable &&
                  !plan_.packed() && method.insertion != Insertion::StencilRouted;

@@ -39,7 +39,7 @@ struct FrameResult {
   std::span<const frame::PassTime> passes;  ///< until the next frame
   std::optional<FragmentCounts> fragments;  ///< none where the method does not count
   std::optional<LayerStatistics> layers;
-  std::uint32_t deepest = 0;  ///< largest number of fragments in a sample
+  std::uint32_t deepest = 0;    ///< largest number of fragments in a sample
   std::uint64_t tailSlots = 0;  ///< slots that hold tails
   std::uint32_t lockFailures = 0;
   bool exact = false;  ///< every fragment reached the image in its place

@@ -26,10 +26,9 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                s.memoryMiB, {.min = 0.0, .max = 8192.0});
   registry.addChoice({.key = "oit.sync", .help = "how fragments of one pixel take turns"}, s.sync,
                      {"auto", "interlock", "spinlock", "ordered", "none"});
-  registry.add({.key = "oit.layers",
-                .unit = "layers",
-                .help = "slots a sample of ab-array, layers of peel"},
-               s.layers, {.min = 1.0, .max = 1024.0});
+  registry.add(
+      {.key = "oit.layers", .unit = "layers", .help = "slots a sample of ab-array, layers of peel"},
+      s.layers, {.min = 1.0, .max = 1024.0});
   registry.addChoice({.key = "oit.tail", .help = "what becomes of fragments that are not kept"},
                      s.tail, {"none", "mean"});
   registry.add({.key = "oit.fill",
@@ -47,8 +46,9 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                             .unit = "bytes",
                             .help = "of a fragment that a sorted k-buffer stores"},
                            s.fragmentBytes, {16, 8});
-  registry.addChoice({.key = "oit.count", .help = "where the number of a sample's fragments is from"},
-                     s.count, {"drawn", "predicted"});
+  registry.addChoice(
+      {.key = "oit.count", .help = "where the number of a sample's fragments is from"}, s.count,
+      {"drawn", "predicted"});
 }
 
 void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
@@ -67,10 +67,9 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
                 .unit = "depth slices",
                 .help = "that oit.importance transmittance and error predict from"},
                s.slices, {.min = 1.0, .max = 16.0});
-  registry.addNumberChoice({.key = "importance.tile",
-                            .unit = "samples a side",
-                            .help = "that share their depth slices"},
-                           s.tile, {1, 2, 4});
+  registry.addNumberChoice(
+      {.key = "importance.tile", .unit = "samples a side", .help = "that share their depth slices"},
+      s.tile, {1, 2, 4});
   registry.add({.key = "importance.gazeWeight",
                 .help = "how far predicted errors count less away from the gaze"},
                s.gazeWeight, {.min = 0.0, .max = 1.0});

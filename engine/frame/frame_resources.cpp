@@ -73,8 +73,7 @@ void FrameResources::allocate(std::span<const Resource> needed, glm::ivec2 outpu
     } else {
       const glm::ivec2 size = sizeOf(info, outputSize, displaySize);
       const int samples = info.size == SizeRule::DisplaySamples ? multisamples_ : 0;
-      if (texture.width() == size.x && texture.height() == size.y &&
-          texture.samples() == samples) {
+      if (texture.width() == size.x && texture.height() == size.y && texture.samples() == samples) {
         continue;
       }
       texture = {};

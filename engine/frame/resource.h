@@ -57,11 +57,11 @@ inline constexpr std::size_t kResourceCount = static_cast<std::size_t>(Resource:
 
 /// How large a texture is.
 enum class SizeRule : std::uint8_t {
-  Output,        ///< the window or image
-  Display,       ///< samples: the output times supersampling
-  DisplayOverR,  ///< display / r; allocated at full size, so that a change of r moves viewports
-                 ///< only
-  Fixed,         ///< set by FrameResources::setFixedSize
+  Output,          ///< the window or image
+  Display,         ///< samples: the output times supersampling
+  DisplayOverR,    ///< display / r; allocated at full size, so that a change of r moves viewports
+                   ///< only
+  Fixed,           ///< set by FrameResources::setFixedSize
   DisplaySamples,  ///< a multisample texture, see FrameResources::setMultisamples
   Bytes,           ///< a buffer, set by FrameResources::setBufferBytes
 };

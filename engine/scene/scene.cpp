@@ -50,8 +50,9 @@ Bounds boundsOf(const Scene& scene) {
 }
 
 Bounds transparentBoundsOf(const Scene& scene) {
-  return boundsWhere(
-      scene, [&](const Primitive& primitive) { return scene.materialOf(primitive).isTransparent(); });
+  return boundsWhere(scene, [&](const Primitive& primitive) {
+    return scene.materialOf(primitive).isTransparent();
+  });
 }
 
 glm::vec2 distancesTo(const Bounds& bounds, const Camera& camera) {

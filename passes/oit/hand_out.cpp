@@ -17,7 +17,8 @@ bool emptiesTails(const OitPlan& plan) {
 }  // namespace
 
 void declareHandOut(frame::PassDeclaration& d, const OitPlan& plan) {
-  // Emptied as a whole, which is cheaper than a store in every pixel; only covered ones are written.
+  // Emptied as a whole, which is cheaper than a store in every pixel; only covered ones are
+  // written.
   d.modifies(Resource::FragmentRange, Use::Image);
   if (emptiesTails(plan)) {
     d.writes(Resource::FragmentKeys, Use::Storage);

@@ -1,4 +1,5 @@
-// Marks, for each pixel, which depth intervals hold a transparent fragment (Vasilakis 2015, section 2).
+// Marks, for each pixel, which depth intervals hold a transparent fragment (Vasilakis 2015, section
+// 2).
 #pragma once
 
 #include "engine/gl/objects.h"

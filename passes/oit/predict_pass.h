@@ -1,5 +1,5 @@
-// Counts of fragments as the last frame lets expect, so that no geometry pass has to count them; where
-// there is no last frame they are drawn.
+// Counts of fragments as the last frame lets expect, so that no geometry pass has to count them;
+// where there is no last frame they are drawn.
 #pragma once
 
 #include "passes/oit/oit_pass.h"

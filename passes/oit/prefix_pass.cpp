@@ -17,8 +17,8 @@ void PrefixPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void PrefixPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
-  program_ = programs.get(
-      {{"oit/prefix.comp"}, rows_ ? gl::Defines{{"ROWS", "1"}} : gl::Defines{}, {}});
+  program_ =
+      programs.get({{"oit/prefix.comp"}, rows_ ? gl::Defines{{"ROWS", "1"}} : gl::Defines{}, {}});
 }
 
 void PrefixPass::execute(frame::PassContext& context) {

@@ -1,4 +1,5 @@
-// One round of the search for the price of a slot at which the budget is used (shaders/lib/bids.glsl).
+// One round of the search for the price of a slot at which the budget is used
+// (shaders/lib/bids.glsl).
 #pragma once
 
 #include "passes/oit/oit_pass.h"

@@ -27,8 +27,9 @@ void RoutedPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
                     programs);
   if (mode_ == RoutingMode::None) mode_ = checkStencilRouting(programs);
   if (mode_ == RoutingMode::None) {
-    failInput("oit.method: this GPU's stencil test does not route fragments to samples; use "
-              "kb-fixed");
+    failInput(
+        "oit.method: this GPU's stencil test does not route fragments to samples; use "
+        "kb-fixed");
   }
 }
 

@@ -1,5 +1,5 @@
-// Stencil-routed k-buffer (Bavoil and Myers 2008): the first k fragments drawn go to the samples of a
-// multisample target.
+// Stencil-routed k-buffer (Bavoil and Myers 2008): the first k fragments drawn go to the samples of
+// a multisample target.
 #pragma once
 
 #include "passes/oit/oit_pass.h"

@@ -72,9 +72,10 @@ void checkCombination(const OitSettings& s) {
   checkImportance(s, method);
   checkSync(s, method);
   if (s.cull == Cull::Occupancy && !method.isKBuffer()) {
-    failInput("oit.cull: {} keeps fragments behind the k-th, which culling would take; use a "
-              "k-buffer",
-              method.id);
+    failInput(
+        "oit.cull: {} keeps fragments behind the k-th, which culling would take; use a "
+        "k-buffer",
+        method.id);
   }
   if (s.fragmentBytes != 16 && method.insertion != Insertion::Sorted) {
     failInput("oit.fragmentBytes: {} stores 16 bytes a fragment; use a sorted k-buffer for 8",

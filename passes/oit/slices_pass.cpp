@@ -20,8 +20,8 @@ void SlicesPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  const auto sync = plan_.sync == SyncMode::Ordered ? gl::Defines{{"SYNC_ORDERED", "1"}}
-                                                    : gl::Defines{};
+  const auto sync =
+      plan_.sync == SyncMode::Ordered ? gl::Defines{{"SYNC_ORDERED", "1"}} : gl::Defines{};
   variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", sync, {}, programs);
   tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
   if (!noAttributes_) {

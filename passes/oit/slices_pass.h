@@ -1,8 +1,8 @@
 // Sums transparent fragments into depth slices, from which layers are predicted.
 #pragma once
 
-#include "passes/oit/oit_pass.h"
 #include "engine/gl/objects.h"
+#include "passes/oit/oit_pass.h"
 #include "passes/scene_draw.h"
 
 namespace macula::passes {

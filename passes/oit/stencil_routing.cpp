@@ -24,8 +24,7 @@ void drawEverywhere(GLuint program) {
 bool dealsOut(RoutingMode mode, gl::ProgramCache& programs) {
   constexpr int kSamples = 2;
   constexpr glm::ivec2 kSide{4};
-  const gl::Texture color =
-      gl::Texture::multisample("routing check", GL_R32UI, kSide, kSamples);
+  const gl::Texture color = gl::Texture::multisample("routing check", GL_R32UI, kSide, kSamples);
   const gl::Texture stencil =
       gl::Texture::multisample("routing check stencil", GL_DEPTH32F_STENCIL8, kSide, kSamples);
   const gl::Texture depth("routing check depth", GL_R32F, kSide.x, kSide.y);

@@ -1,4 +1,5 @@
-// Occupancy culling (Vasilakis 2015): the k nearest always pass, and what is culled was lost anyway.
+// Occupancy culling (Vasilakis 2015): the k nearest always pass, and what is culled was lost
+// anyway.
 #include <gtest/gtest.h>
 
 #include "engine/scene/load.h"

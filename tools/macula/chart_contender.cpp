@@ -84,9 +84,8 @@ std::optional<double> Contender::budgetUsed() const {
 void Contender::describe(Point& point) const {
   Point passes = Point::object();
   for (const PassSamples& pass : passes_) passes[pass.name] = experiment::spreadOf(pass.ms);
-  point["sync"] = renderer_.plan().sorted()
-                      ? Point(passes::nameOf(renderer_.plan().sync))
-                      : Point(nullptr);
+  point["sync"] =
+      renderer_.plan().sorted() ? Point(passes::nameOf(renderer_.plan().sync)) : Point(nullptr);
   point["exact"] = result_.exact;
   point["rounds"] = totalMs_.size();
   point["ms"] = {{"total", experiment::spreadOf(totalMs_)},

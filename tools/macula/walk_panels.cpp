@@ -183,6 +183,11 @@ void WalkPanels::drawView(const passes::FrameRenderer& renderer) {
   if (renderer.plan().method->hasBudget()) {
     panel_.row("oit.kAve");
     panel_.row("oit.memoryMiB");
+    panel_.row("oit.tail");
+  }
+  if (renderer.plan().method->allocation == passes::Allocation::ImportanceMap) {
+    panel_.row("oit.fill");
+    panel_.row("oit.importance");
   }
   panel_.row("view.heatmap");
   drawLegend(renderer);

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Turns the results.json of `macula chart` into Markdown.
+
+Usage: tools/benchmarks.py OUT/results.json > BENCHMARKS.md
+"""
+import json
+import sys
+
+
+def number(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def mebibytes(value):
+    return "-" if value is None else f"{value / 2**20:.1f}"
+
+
+def place(point):
+    """Where a point was measured: scene, size, light, budget."""
+    words = [point["scene"], f"{point['width']}x{point['height']}"]
+    if point.get("light"):
+        words.append("own light" if point["light"] == "own" else point["light"])
+    return " ".join(words)
+
+
+def targets(results):
+    lines = ["## Targets", "", "| what | where | measured | limit | |", "|---|---|---|---|---|"]
+    for row in results["targets"]:
+        state = row["state"] if row["state"] != "missed" else "**missed**"
+        value = number(row["value"]) if row["value"] is not None else row.get("note", "")
+        lines.append(f"| {row['name']} | {row['where']} | {value} | {row['limit']} | {state} |")
+    return lines
+
+
+def table(points):
+    floor = {}
+    for point in points:
+        if point["variant"] == "blend" and point.get("ms"):
+            floor[place(point)] = point["ms"]["transparency"]["median"]
+    lines = [
+        "| where | budget | method | transparency ms | / blend | frame ms | RMSE | PSNR dB | FLIP | "
+        "lost | storage MiB | overhead MiB |",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|",
+    ]
+    for point in points:
+        ms = point.get("ms")
+        error = point.get("error") or {}
+        fragments = point.get("fragments") or {}
+        memory = point.get("bytes") or {}
+        if point["status"] == "refused":
+            lines.append(f"| {place(point)} | {point.get('budget') or '-'} | {point['label']} | "
+                         "refused |" + " |" * 8)
+            continue
+        time = ratio = frame = "-"
+        if ms:
+            own = ms["transparency"]
+            time = f"{own['median']:.1f} ({own['p5']:.1f}-{own['p95']:.1f})"
+            frame = f"{ms['total']['median']:.1f}"
+            if place(point) in floor:
+                ratio = f"{own['median'] / floor[place(point)]:.2f}"
+        loss = fragments.get("loss")
+        lines.append("| " + " | ".join([
+            place(point), point.get("budget") or "-", point["label"], time, ratio, frame,
+            f"{error['rmse']:.5f}" if "rmse" in error else "-", number(error.get("psnr_db")),
+            number(error.get("flip")), "-" if loss is None else f"{100 * loss:.1f} %",
+            mebibytes(memory.get("oit")), mebibytes(memory.get("overhead")),
+        ]) + " |")
+    return lines
+
+
+def main():
+    with open(sys.argv[1], encoding="utf-8") as file:
+        results = json.load(file)
+    machine = results["machine"]
+    gl = results["gl"]
+    rounds = sorted({point["rounds"] for point in results["points"] if point.get("rounds")})
+    lines = [
+        "# Benchmarks", "",
+        f"Made by `tools/benchmarks.py` from the results of `macula chart`: {results['title']}. "
+        f"Commit {results['commit']}, {results['date']}, on {gl['renderer']} ({gl['version']}), "
+        f"{machine['processor']}, {machine['cores']} cores. The methods of a study draw one frame "
+        f"in turn, {results['warm_up_rounds']} rounds of warm-up and then "
+        f"{' or '.join(str(r) for r in rounds)} that count; times are medians with the 5th and 95th "
+        "percentile, ratios are of medians of the same rounds. \"Transparency\" is the sum of the "
+        "passes whose names start with `oit.`. Errors are against `ab-sbuffer`, on display values "
+        "0..1. Times of a software rasteriser say how methods compare on it, not what a GPU needs.",
+        "",
+    ]
+    lines += targets(results)
+    for skipped in results["skipped"]:
+        lines += ["", f"Skipped: {json.dumps(skipped)}"]
+    for study in results["studies"]:
+        points = [p for p in results["points"] if p["study"] == study["id"]]
+        if points:
+            lines += ["", f"## {study['title']}", ""] + table(points)
+    print("\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()
