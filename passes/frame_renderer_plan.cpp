@@ -4,6 +4,7 @@
 
 #include "engine/core/error.h"
 #include "passes/frame_renderer.h"
+#include "passes/oit/oit_pass.h"
 
 namespace macula::passes {
 
