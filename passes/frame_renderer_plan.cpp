@@ -131,7 +131,9 @@ void FrameRenderer::prepare() {
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
   allocate();
-  if (inputs_.facts.transparentTriangles > 0) statistics_.prepare(inputs_, machine_.programs);
+  if (inputs_.facts.transparentTriangles > 0) {
+    statistics_.prepare(inputs_, resources_, machine_.programs);
+  }
   prepared_ = true;
 }
 

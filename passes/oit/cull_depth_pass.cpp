@@ -25,25 +25,17 @@ void CullDepthPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& 
   gl::Defines defines;
   if (plan_.method->hasRanges()) defines.emplace_back("RANGES", "1");
   program_ = programs.get({{"oit/full_screen.vert", "oit/cull_depth.frag"}, defines, {}});
-  if (!noAttributes_) {
-    GLuint id = 0;
-    glCreateVertexArrays(1, &id);
-    noAttributes_ = gl::VertexArrayId(id);
-  }
 }
 
 void CullDepthPass::execute(frame::PassContext& context) {
   context.bindTargets({}, Resource::CullDepth);
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
-  glDisable(GL_CULL_FACE);
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindTexture(TEX_INPUT1, Resource::DepthRange);
   context.bindTexture(TEX_INPUT2, Resource::Depth);
   if (plan_.method->hasRanges()) context.bindImage(IMG_0, Resource::FragmentRange, GL_READ_ONLY);
   context.bindStorage(SSBO_OCCUPANCY, Resource::Occupancy);
-  glBindVertexArray(noAttributes_.id());
-  glUseProgram(program_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  fullScreen_.draw(program_);
 }
 
 }  // namespace macula::passes

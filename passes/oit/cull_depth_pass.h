@@ -1,7 +1,7 @@
 // The depth behind which no fragment is among the k nearest (Vasilakis 2015, Lemma 2.1).
 #pragma once
 
-#include "engine/gl/objects.h"
+#include "passes/full_screen.h"
 #include "passes/oit/oit_pass.h"
 
 namespace macula::passes {
@@ -18,7 +18,7 @@ class CullDepthPass final : public OitPass {
   void declareWork(frame::PassDeclaration& d) const override;
 
   GLuint program_ = 0;
-  gl::VertexArrayId noAttributes_;
+  FullScreenDraw fullScreen_;
 };
 
 }  // namespace macula::passes

@@ -46,14 +46,14 @@ struct OitPlan {
     return tailInSlot() && (method->allocation == Allocation::Constant || predictsCounts());
   }
   [[nodiscard]] bool predictsCounts() const { return options.count == CountSource::Predicted; }
-  [[nodiscard]] bool packed() const { return options.fragmentBytes == 8; }
   /// Fragments are 8-byte keys with their colour inside, so that colours need no array.
+  [[nodiscard]] bool packed() const { return options.fragmentBytes == 8; }
   [[nodiscard]] std::uint64_t fragmentBytes() const {
     return static_cast<std::uint64_t>(options.fragmentBytes);
   }
   /// Slots that a tail takes: its sums need 16 bytes.
   [[nodiscard]] std::uint32_t tailSlots() const { return packed() ? 2U : 1U; }
-  /// Slots are shared out by price (see AuctionPass), not by the published formula.
+  /// Slots are shared out by price (shaders/lib/bids.glsl), not by the published formula.
   [[nodiscard]] bool auctions() const {
     return method->counts() && method->hasBudget() &&
            (options.fill || options.importance != Predictor::Published || predictsCounts());

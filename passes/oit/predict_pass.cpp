@@ -1,6 +1,5 @@
 #include "passes/oit/predict_pass.h"
 
-#include "engine/gl/render_state.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
@@ -22,23 +21,14 @@ void PredictPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void PredictPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {},
-                    programs);
+  count_.prepare(in, programs);
   program_ = programs.get({{"oit/predict.comp"}, {}, {}});
-}
-
-void PredictPass::drawCounts(frame::PassContext& context) {
-  const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::PredictedCount}, Resource::Depth);
-  gl::apply({.depthTest = true, .blend = gl::Blend::Add});
-  constexpr GLfloat kNone[4]{};
-  glClearBufferfv(GL_COLOR, 0, kNone);
-  variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
 }
 
 void PredictPass::execute(frame::PassContext& context) {
   if (!context.inputs().historyValid) {
-    drawCounts(context);
+    context.bindTargets({Resource::PredictedCount}, Resource::Depth);
+    count_.draw(*context.inputs().gpu);
     return;
   }
   glUseProgram(program_);

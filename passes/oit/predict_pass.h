@@ -2,8 +2,8 @@
 // where there is no last frame they are drawn.
 #pragma once
 
+#include "passes/oit/count_draw.h"
 #include "passes/oit/oit_pass.h"
-#include "passes/scene_draw.h"
 
 namespace macula::passes {
 
@@ -17,9 +17,8 @@ class PredictPass final : public OitPass {
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
-  void drawCounts(frame::PassContext& context);
 
-  SceneVariants variants_;
+  CountDraw count_;
   GLuint program_ = 0;
 };
 

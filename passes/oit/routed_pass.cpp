@@ -39,7 +39,7 @@ void RoutedPass::execute(frame::PassContext& context) {
   constexpr GLuint kEmpty[4]{NO_KEY, NO_KEY, NO_KEY, NO_KEY};
   glClearBufferuiv(GL_COLOR, 0, kEmpty);
   const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
-  prepareRouting(routing_, context.resources().texture(depth).id(), plan_.layers);
+  prepareRouting(routing_, fullScreen_, context.resources().texture(depth).id(), plan_.layers);
   beginRouting(mode_);
   gpu.bindLights();
   context.bindTexture(TEX_SHADOW_MAP, Resource::ShadowMap);

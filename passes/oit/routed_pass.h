@@ -20,6 +20,7 @@ class RoutedPass final : public OitPass {
   void declareWork(frame::PassDeclaration& d) const override;
 
   SceneVariants variants_;
+  FullScreenDraw fullScreen_;
   RoutingMode mode_ = RoutingMode::None;
   GLuint routing_ = 0;
 };

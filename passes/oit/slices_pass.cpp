@@ -20,25 +20,18 @@ void SlicesPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  const auto sync =
-      plan_.sync == SyncMode::Ordered ? gl::Defines{{"SYNC_ORDERED", "1"}} : gl::Defines{};
-  variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", sync, {}, programs);
+  gl::Defines defines;
+  if (plan_.sync == SyncMode::Ordered) defines.emplace_back("SYNC_ORDERED", "1");
+  if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
+  variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", defines, {}, programs);
   tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
-  if (!noAttributes_) {
-    GLuint id = 0;
-    glCreateVertexArrays(1, &id);
-    noAttributes_ = gl::VertexArrayId(id);
-  }
 }
 
 void SlicesPass::drawTileDepth(frame::PassContext& context) {
   context.bindTargets({}, Resource::TileDepth);
   context.bindTexture(TEX_INPUT0, Resource::Depth);
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
-  glDisable(GL_CULL_FACE);
-  glBindVertexArray(noAttributes_.id());
-  glUseProgram(tileProgram_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  fullScreen_.draw(tileProgram_);
 }
 
 void SlicesPass::execute(frame::PassContext& context) {

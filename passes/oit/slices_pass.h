@@ -1,7 +1,7 @@
 // Sums transparent fragments into depth slices, from which layers are predicted.
 #pragma once
 
-#include "engine/gl/objects.h"
+#include "passes/full_screen.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/scene_draw.h"
 
@@ -22,7 +22,7 @@ class SlicesPass final : public OitPass {
 
   SceneVariants variants_;
   GLuint tileProgram_ = 0;
-  gl::VertexArrayId noAttributes_;
+  FullScreenDraw fullScreen_;
 };
 
 }  // namespace macula::passes

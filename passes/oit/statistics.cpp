@@ -1,6 +1,5 @@
 #include "passes/oit/statistics.h"
 
-#include "engine/gl/render_state.h"
 #include "passes/oit/oit_pass.h"
 #include "shared/bindings.h"
 
@@ -8,7 +7,9 @@ namespace macula::passes {
 
 using frame::Resource;
 
-void OitStatisticsCounter::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
+void OitStatisticsCounter::prepare(const frame::FrameInputs& in,
+                                   const frame::FrameResources& resources,
+                                   gl::ProgramCache& programs) {
   const Method& method = *plan_.method;
   gl::Defines defines;
   if (method.hasRanges()) defines.emplace_back("SLOTS_RANGES", "1");
@@ -19,32 +20,24 @@ void OitStatisticsCounter::prepare(const frame::FrameInputs& in, gl::ProgramCach
     counts_ = {};
     return;
   }
-  variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {},
-                    programs);
+  count_.prepare(in, programs);
   if (counts_.width() != in.displaySize.x || counts_.height() != in.displaySize.y) {
     counts_ = {};
     counts_ = gl::Texture("statistics counts", GL_R32F, in.displaySize.x, in.displaySize.y);
   }
-}
-
-void OitStatisticsCounter::drawCounts(frame::PassContext& context) {
-  const scene::GpuScene& gpu = *context.inputs().gpu;
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
-  const gl::FramebufferId framebuffer(id);
+  framebuffer_ = gl::FramebufferId(id);
   glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, counts_.id(), 0);
-  glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT,
-                            context.resources().texture(Resource::Depth).id(), 0);
-  glBindFramebuffer(GL_FRAMEBUFFER, id);
-  glViewport(0, 0, counts_.width(), counts_.height());
-  gl::apply({.depthTest = true, .blend = gl::Blend::Add});
-  constexpr GLfloat kNone[4]{};
-  glClearBufferfv(GL_COLOR, 0, kNone);
-  variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
+  glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, resources.texture(Resource::Depth).id(), 0);
 }
 
 shader::OitStatistics OitStatisticsCounter::measure(frame::PassContext& context) {
-  if (counts_) drawCounts(context);
+  if (counts_) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, counts_.width(), counts_.height());
+    count_.draw(*context.inputs().gpu);
+  }
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   glClearNamedBufferData(sums_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   glUseProgram(program_);

@@ -3,8 +3,8 @@
 
 #include "engine/frame/pass_context.h"
 #include "engine/gl/objects.h"
+#include "passes/oit/count_draw.h"
 #include "passes/oit/plan.h"
-#include "passes/scene_draw.h"
 #include "shared/oit_totals.h"
 
 namespace macula::passes {
@@ -15,15 +15,15 @@ class OitStatisticsCounter {
  public:
   explicit OitStatisticsCounter(const OitPlan& plan) : plan_(plan) {}
   /// To be called when scene, size or settings changed.
-  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs);
+  void prepare(const frame::FrameInputs& in, const frame::FrameResources& resources,
+               gl::ProgramCache& programs);
   /// After a frame with this context. Waits for the GPU.
   [[nodiscard]] shader::OitStatistics measure(frame::PassContext& context);
 
  private:
-  void drawCounts(frame::PassContext& context);
-
   const OitPlan& plan_;
-  SceneVariants variants_;
+  CountDraw count_;
+  gl::FramebufferId framebuffer_;
   GLuint program_ = 0;
   gl::Texture counts_;
   gl::Buffer sums_;

@@ -9,19 +9,8 @@
 namespace macula::passes {
 namespace {
 
-/// A triangle that covers everything. @param program of a full-screen vertex stage
-void drawEverywhere(GLuint program) {
-  static const gl::VertexArrayId* const kNoAttributes = [] {
-    GLuint id = 0;
-    glCreateVertexArrays(1, &id);
-    return new gl::VertexArrayId(id);  // lives as long as the context
-  }();
-  glBindVertexArray(kNoAttributes->id());
-  glUseProgram(program);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
 bool dealsOut(RoutingMode mode, gl::ProgramCache& programs) {
+  FullScreenDraw fullScreen;
   constexpr int kSamples = 2;
   constexpr glm::ivec2 kSide{4};
   const gl::Texture color = gl::Texture::multisample("routing check", GL_R32UI, kSide, kSamples);
@@ -39,12 +28,12 @@ bool dealsOut(RoutingMode mode, gl::ProgramCache& programs) {
   glClearTexImage(depth.id(), 0, GL_RED, GL_FLOAT, nullptr);
   const GLuint none[4]{};
   glClearBufferuiv(GL_COLOR, 0, none);
-  prepareRouting(routingProgram(programs), depth.id(), kSamples);
+  prepareRouting(routingProgram(programs), fullScreen, depth.id(), kSamples);
   beginRouting(mode);
   const GLuint layer = programs.get({{"oit/full_screen.vert", "oit/routing_check.frag"}, {}, {}});
   for (GLuint number = 1; number <= kSamples; ++number) {
     glProgramUniform1ui(layer, 0, number);
-    drawEverywhere(layer);
+    fullScreen.draw(layer);
   }
   endRouting();
   glUseProgram(programs.get({{"oit/routing_check.comp"}, {}, {}}));
@@ -71,11 +60,11 @@ GLuint routingProgram(gl::ProgramCache& programs) {
   return programs.get({{"oit/full_screen.vert", "oit/routing_depth.frag"}, {}, {}});
 }
 
-void prepareRouting(GLuint program, GLuint opaqueDepth, std::uint32_t slots) {
+void prepareRouting(GLuint program, FullScreenDraw& fullScreen, GLuint opaqueDepth,
+                    std::uint32_t slots) {
   glBindTextureUnit(TEX_INPUT0, opaqueDepth);
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
   glEnable(GL_MULTISAMPLE);
-  glDisable(GL_CULL_FACE);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glEnable(GL_STENCIL_TEST);
   glStencilMask(0xFF);
@@ -85,7 +74,7 @@ void prepareRouting(GLuint program, GLuint opaqueDepth, std::uint32_t slots) {
   for (std::uint32_t i = 0; i < slots; ++i) {
     glSampleMaski(0, 1U << i);
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xFF);
-    drawEverywhere(program);
+    fullScreen.draw(program);
   }
   glDisable(GL_SAMPLE_MASK);
   glSampleMaski(0, ~0U);

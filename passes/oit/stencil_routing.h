@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/gl/program.h"
+#include "passes/full_screen.h"
 
 namespace macula::passes {
 
@@ -24,7 +25,8 @@ enum class RoutingMode : std::uint8_t {
 /// Sets the stencil of sample i to i + 1 and its depth to that of `opaqueDepth`, in the bound
 /// framebuffer. @param program routingProgram() · @param slots samples that take a fragment; the
 /// others get 0
-void prepareRouting(GLuint program, GLuint opaqueDepth, std::uint32_t slots);
+void prepareRouting(GLuint program, FullScreenDraw& fullScreen, GLuint opaqueDepth,
+                    std::uint32_t slots);
 
 /// Stencil state under which each fragment goes to the next free sample; endRouting() ends it.
 void beginRouting(RoutingMode mode);

@@ -8,9 +8,6 @@ layout(std430, binding = SSBO_FRAGMENT_KEYS) STORE_ACCESS buffer Keys { uvec2 ke
 layout(std430, binding = SSBO_FRAGMENT_COLORS) STORE_ACCESS buffer Colors { uvec2 colors[]; };
 #endif
 
-/// The largest half float; more would be infinite, and zero times that NaN.
-const float kMaxHalf = 65504.0;
-
 struct Fragment {
   uvec2 key;
 #ifndef PACKED

@@ -11,6 +11,9 @@ uvec2 fragmentKey(float reversedDepth, uint id) { return uvec2(~floatBitsToUint(
 
 bool isNearer(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
+/// The largest half float; more would be infinite, and zero times that NaN.
+const float kMaxHalf = 65504.0;
+
 /// Optical depth in halvings of what passes. Bounded, so that an opaque layer stays finite.
 float opticalDepth(float alpha) {
   return min(MAX_OPTICAL_DEPTH, -log2(max(1.0 - alpha, exp2(-MAX_OPTICAL_DEPTH))));

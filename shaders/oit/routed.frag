@@ -10,5 +10,5 @@ void main() {
   // not, and their stencils would no longer agree.
   gl_FragDepth = gl_FragCoord.z;
   key = fragmentKey(gl_FragCoord.z, fragmentId());
-  color = min(shadeTransparent(), vec4(65504.0));  // the largest half float
+  color = min(shadeTransparent(), vec4(kMaxHalf));
 }

@@ -147,7 +147,7 @@ void addPlainTransparent(std::vector<Variant>& all) {
   addCombinations(all, "oit/cull_depth.frag", {}, {"RANGES"});
   addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
   addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
-  addCombinations(all, "oit/slices.frag", {}, {"SYNC_ORDERED", "LIT", "TEXTURED"});
+  addCombinations(all, "oit/slices.frag", {}, {"SYNC_ORDERED", "LIT", "TEXTURED", "ENVIRONMENT"});
   for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
     addCombinations(all, file, {}, kShading);
   }
