@@ -99,7 +99,9 @@ void FrameRenderer::uploadConstants() {
   c.eye = glm::vec4(inputs_.view.camera.position, 1.0F);
   c.size = glm::vec4(size, 1.0F / size);
   // GL counts rows from the bottom, gaze from the top.
-  c.gaze = glm::vec4(inputs_.gaze.x * size.x, (1.0F - inputs_.gaze.y) * size.y, 0.0F, 0.0F);
+  const gaze::PointOfInterest& gaze = inputs_.gaze;
+  c.gaze = glm::vec4(gaze.position.x * size.x, (1.0F - gaze.position.y) * size.y,
+                     std::max(gaze.radius - gaze::kFoveaRadius, 0.0F) * size.y, 0.0F);
   c.background = glm::vec4(settings_.background, 1.0F);
   c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
   c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize),
@@ -122,7 +124,8 @@ shader::OitTotals FrameRenderer::runOnce() {
   return totals;
 }
 
-FrameResult FrameRenderer::render(const scene::Camera& camera, glm::vec2 gaze, bool cut) {
+FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
+                                  bool cut) {
   if (!prepared_) prepare();
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);

@@ -60,9 +60,16 @@ class FrameRenderer {
   /// To be called after a change of the settings given to the constructor.
   void settingsChanged();
 
-  /// @param gaze 0..1 of the window from the top left
+  /// @param gaze its place steers importance; a radius beyond gaze::kFoveaRadius widens what counts
+  ///   as looked at
   /// @param cut the camera jumped; history is invalid
-  FrameResult render(const scene::Camera& camera, glm::vec2 gaze, bool cut = false);
+  FrameResult render(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
+                     bool cut = false);
+  /// The same for a place that is known exactly.
+  /// @param gaze 0..1 of the window from the top left
+  FrameResult render(const scene::Camera& camera, glm::vec2 gaze, bool cut = false) {
+    return render(camera, gaze::exactPoint(gaze), cut);
+  }
 
   /// RGB8 of the last frame, rows from the top, 3 bytes a pixel.
   void readDisplay(std::vector<std::uint8_t>& rgb) const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "engine/gaze/point_of_interest.h"
 #include "engine/scene/scene_facts.h"
 #include "engine/scene/view.h"
 
@@ -20,7 +21,7 @@ struct FrameInputs {
   scene::View view;
   glm::ivec2 outputSize{0};   ///< pixels of the window or image
   glm::ivec2 displaySize{0};  ///< samples: outputSize times supersampling
-  glm::vec2 gaze{0.5F};       ///< point of interest, 0..1 of the window from the top left
+  gaze::PointOfInterest gaze;
   std::uint32_t frameIndex = 0;
   bool historyValid = false;  ///< the last frame was drawn, at this size, without a camera cut
 };

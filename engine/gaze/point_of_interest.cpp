@@ -18,4 +18,13 @@ std::string_view stateName(GazeState state) {
   return "none";
 }
 
+PointOfInterest exactPoint(const glm::dvec2& position) {
+  PointOfInterest point;
+  point.position = glm::vec2(glm::clamp(position, 0.0, 1.0));
+  point.raw = glm::vec2(position);
+  point.state = GazeState::Ok;
+  point.ageSeconds = 0.0F;
+  return point;
+}
+
 }  // namespace macula::gaze

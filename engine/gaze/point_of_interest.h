@@ -34,4 +34,8 @@ struct PointOfInterest {
   float radius = kFoveaRadius;  ///< share of the window's height
 };
 
+/// A point that is known exactly, such as one that was typed: state ok, age 0.
+/// @param position 0..1 of the window; `position` of the result is clamped to it, `raw` is not
+[[nodiscard]] PointOfInterest exactPoint(const glm::dvec2& position);
+
 }  // namespace macula::gaze

@@ -18,15 +18,6 @@ namespace {
 
 constexpr std::string_view kAccepted = "give center, x,y (each 0..1 of the window) or a gaze log";
 
-PointOfInterest exactly(const glm::dvec2& position) {
-  PointOfInterest point;
-  point.position = glm::vec2(glm::clamp(position, 0.0, 1.0));
-  point.raw = glm::vec2(position);
-  point.state = GazeState::Ok;
-  point.ageSeconds = 0.0F;
-  return point;
-}
-
 double latestTime(const GazeLog& log) {
   double latest = 0.0;
   for (const GazeSample& sample : log.samples) latest = std::max(latest, sample.timeSeconds);
@@ -39,13 +30,13 @@ FixedGaze::FixedGaze(const glm::dvec2& position, std::string name)
     : position_(position), name_(std::move(name)) {}
 
 PointOfInterest FixedGaze::at(double /*timeSeconds*/) {
-  return exactly(position_);
+  return exactPoint(position_);
 }
 
 void MouseGaze::move(const glm::dvec2& position) {
   // Some window systems report a pointer that has left as infinitely far or not at all.
   if (std::isnan(position.x) || std::isnan(position.y)) return;
-  point_ = exactly(glm::clamp(position, -kFarthestPlace, kFarthestPlace));
+  point_ = exactPoint(glm::clamp(position, -kFarthestPlace, kFarthestPlace));
 }
 
 PointOfInterest MouseGaze::at(double /*timeSeconds*/) {

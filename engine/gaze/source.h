@@ -12,6 +12,15 @@
 
 namespace macula::gaze {
 
+/// How a source fares, for a person who watches it.
+struct SourceStatus {
+  bool live = false;       ///< a device or pointer, not a recording or a fixed point
+  bool connected = true;   ///< false while a device is away
+  double rateHz = 0.0;     ///< samples that came in the last second; 0 where nothing is counted
+  double lostShare = 0.0;  ///< 0..1 of those
+  std::string message;     ///< one line: why nothing comes, or what was done; may be empty
+};
+
 /// Where the point of interest comes from. Asked once a frame, with times that do not decrease.
 class GazeSource {
  public:
@@ -25,6 +34,8 @@ class GazeSource {
 
   /// Short name for reports and the UI: "center", "0.3,0.7", "mouse" or the log's path.
   [[nodiscard]] virtual std::string name() const = 0;
+
+  [[nodiscard]] virtual SourceStatus status() const { return {}; }
 };
 
 /// A fixed point. It is known exactly, so no rule ever takes it for lost.

@@ -9,7 +9,8 @@ struct FrameConstants {
   mat4 inverseViewProjection;
   vec4 eye;         // xyz world position of the camera
   vec4 size;        // samples: width, height, 1 / width, 1 / height
-  vec4 gaze;        // xy: point of interest in samples, from the bottom left
+  vec4 gaze;        // xy: point of interest in samples, from the bottom left; z: by how many
+                    // samples the fovea is widened where the gaze is uncertain
   vec4 background;  // linear rgb
   uvec4 frame;      // x: frame index, y: 1 where history is valid, z: seed
   uvec4 oit;        // x: slots of a pixel where they are constant, y: slots of the pool, z: stride

@@ -44,7 +44,8 @@ class Painter {
     linear_.linear = true;
   }
 
-  passes::FrameResult draw(const scene::Camera& camera, glm::vec2 gaze, bool cut) {
+  passes::FrameResult draw(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
+                           bool cut) {
     return renderer_.render(camera, gaze, cut);
   }
   void readBack() {
@@ -195,9 +196,9 @@ void replay(const ReplayOptions& options) {
   };
   const gaze::PointOfInterest first = gazeSource->at(0.0);
   for (int i = 0; i < options.warmup; ++i) {
-    painter.draw(path.at(0.0), first.position, false);
-    if (reference) reference->draw(path.at(0.0), first.position, false);
-    if (turns) turns->draw(path.at(0.0), first.position, false);
+    painter.draw(path.at(0.0), first, false);
+    if (reference) reference->draw(path.at(0.0), first, false);
+    if (turns) turns->draw(path.at(0.0), first, false);
     noteFirstFrame();
   }
 
@@ -209,7 +210,7 @@ void replay(const ReplayOptions& options) {
     const gaze::PointOfInterest point = gazeSource->at(time);
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
-    measure::FrameRecord record = recordOf(painter.draw(camera, point.position, cut), point);
+    measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
     noteFirstFrame();
     painter.readBack();
     record.index = i;
@@ -217,12 +218,12 @@ void replay(const ReplayOptions& options) {
     record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter.display().pixels)));
     if (!options.images.empty()) painter.write(options.out, "frame", i, options.images);
     if (turns) {
-      turns->draw(camera, point.position, cut);
+      turns->draw(camera, point, cut);
       turns->readBack();
       record.hazards = measure::countUnlikePixels(turns->display(), painter.display());
     }
     if (reference) {
-      reference->draw(camera, point.position, cut);
+      reference->draw(camera, point, cut);
       reference->readBack();
       compareWithReference(record, *reference, painter, options, flicker);
       if (!options.images.empty()) reference->write(options.out, "reference", i, options.images);

@@ -139,13 +139,13 @@ void WalkSession::draw() {
   try {
     // resize() also checks what the settings make of the size.
     if (change_) renderer_.resize(size_);
-    result_ = renderer_.render(camera_.camera(), point_.position, cut_);
+    result_ = renderer_.render(camera_.camera(), point_, cut_);
   } catch (const InputError& error) {
     if (!change_) throw;
     change_->undo();
     panels_.settings().setRefusal(error.what());
     renderer_.resize(size_);
-    result_ = renderer_.render(camera_.camera(), point_.position, true);
+    result_ = renderer_.render(camera_.camera(), point_, true);
   }
   change_.reset();
   cut_ = false;
