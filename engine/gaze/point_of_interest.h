@@ -31,7 +31,9 @@ struct PointOfInterest {
   GazeState state = GazeState::None;
   /// Time since the last trusted sample was taken, >= 0; infinite where there was none.
   float ageSeconds = std::numeric_limits<float>::infinity();
-  float radius = kFoveaRadius;  ///< share of the window's height
+  /// Share of the window's height: kFoveaRadius, and more where the gaze is old or in a saccade.
+  float radius = kFoveaRadius;
+  bool saccade = false;  ///< since the frame before, believed samples have been in a saccade
 };
 
 /// A point that is known exactly, such as one that was typed: state ok, age 0.

@@ -43,12 +43,16 @@ PointOfInterest MouseGaze::at(double /*timeSeconds*/) {
   return point_;
 }
 
-ReplayGaze::ReplayGaze(GazeLog log, double latencySeconds)
+ReplayGaze::ReplayGaze(GazeLog log, const GazeSettings& settings)
     : log_(std::move(log)),
-      latency_(latencySeconds),
+      latency_(settings.latencyMs * 1e-3),
       interval_(medianInterval(log_)),
       lastTime_(latestTime(log_)),
-      tracker_(interval_) {}
+      tracker_({.sampleInterval = interval_,
+                .latencySeconds = latency_,
+                .live = false,
+                .pipeline = settings.pipeline,
+                .display = settings.display}) {}
 
 PointOfInterest ReplayGaze::at(double timeSeconds) {
   const double time = timeSeconds - latency_;
@@ -59,12 +63,10 @@ PointOfInterest ReplayGaze::at(double timeSeconds) {
   if (next_ > 0 && next_ == log_.samples.size() && time > lastTime_ + interval_ + kTimeTolerance) {
     tracker_.lose(lastTime_ + interval_);
   }
-  PointOfInterest point = tracker_.at(time);
-  point.ageSeconds += static_cast<float>(latency_);
-  return point;
+  return tracker_.at(time);
 }
 
-std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, double latencySeconds) {
+std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, const GazeSettings& settings) {
   if (spec == "center") return std::make_unique<FixedGaze>(glm::dvec2(0.5), spec);
 
   std::vector<std::string_view> cells;
@@ -84,7 +86,7 @@ std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, double latenc
   if (!std::filesystem::exists(spec, error)) {
     failInput("--gaze {}: no such file and no point; {}", spec, kAccepted);
   }
-  return std::make_unique<ReplayGaze>(readGazeLog(spec), latencySeconds);
+  return std::make_unique<ReplayGaze>(readGazeLog(spec), settings);
 }
 
 }  // namespace macula::gaze

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/gaze/gaze_settings.h"
 #include "engine/gaze/log.h"
 #include "engine/gaze/point_of_interest.h"
 #include "engine/gaze/tracker.h"
@@ -70,8 +71,8 @@ class MouseGaze final : public GazeSource {
 /// counts; after the last one the point is held and then eases to the centre.
 class ReplayGaze final : public GazeSource {
  public:
-  /// @param latencySeconds >= 0; a frame at t knows the samples up to t - latencySeconds
-  explicit ReplayGaze(GazeLog log, double latencySeconds = 0.0);
+  /// @param settings with a latency of L, a frame at t knows the samples up to t - L
+  explicit ReplayGaze(GazeLog log, const GazeSettings& settings = {});
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
   [[nodiscard]] std::string name() const override { return log_.name; }
   [[nodiscard]] const GazeLog& log() const { return log_; }
@@ -86,9 +87,9 @@ class ReplayGaze final : public GazeSource {
 };
 
 /// Makes a source from what --gaze names: `center`, `x,y` (each 0..1 of the window), or a log file.
-/// @param latencySeconds as for ReplayGaze; fixed points have none
+/// @param settings for logs; a fixed point is known at once and exactly
 /// @throws InputError naming the mend
 [[nodiscard]] std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec,
-                                                        double latencySeconds = 0.0);
+                                                        const GazeSettings& settings = {});
 
 }  // namespace macula::gaze

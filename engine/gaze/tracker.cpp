@@ -45,8 +45,12 @@ glm::dvec2 easeTowards(const glm::dvec2& point, const glm::dvec2& goal, double s
   return left <= 0.0 ? goal : goal + (point - goal) * (left / distance);
 }
 
-PointOfInterestTracker::PointOfInterestTracker(double sampleInterval)
-    : silenceLimit_(std::max(kSilenceIntervals * sampleInterval, kSilenceSeconds)) {}
+PointOfInterestTracker::PointOfInterestTracker(const TrackerOptions& options)
+    : silenceLimit_(std::max(kSilenceIntervals * options.sampleInterval, kSilenceSeconds)),
+      latency_(options.latencySeconds),
+      widens_(options.pipeline.widen),
+      refiner_(options.pipeline, options.display, options.live),
+      fovea_(options.sampleInterval) {}
 
 double PointOfInterestTracker::holdEnd() const {
   return trustedAt_ + kHoldSeconds + kTimeTolerance;
@@ -70,6 +74,7 @@ void PointOfInterestTracker::lose(double time) {
   trust_ = Trust::Lost;
   lostAt_ = now_;
   catchingUp_ = false;
+  refiner_.reset();
 }
 
 void PointOfInterestTracker::noticeSilence(double time) {
@@ -103,7 +108,8 @@ void PointOfInterestTracker::trust(const GazeSample& sample) {
   }
   trust_ = Trust::Trusted;
   trustedAt_ = sample.timeSeconds;
-  gaze_ = glm::clamp(sample.position, 0.0, 1.0);
+  gaze_ = glm::clamp(refiner_.refine(sample.timeSeconds, sample.position), 0.0, 1.0);
+  saccadeSeen_ = saccadeSeen_ || refiner_.inSaccade();
   if (position_ == gaze_) catchingUp_ = false;
   if (!catchingUp_) position_ = gaze_;
 }
@@ -150,7 +156,16 @@ PointOfInterest PointOfInterestTracker::at(double time) {
   point.position = glm::vec2(position_);
   point.raw = glm::vec2(raw_);
   point.state = state();
-  point.ageSeconds = static_cast<float>(now_ - trustedAt_);
+  const double age = now_ - trustedAt_ + latency_;
+  point.ageSeconds = static_cast<float>(age);
+  point.saccade = saccadeSeen_;
+  saccadeSeen_ = refiner_.inSaccade();
+  if (widens_) {
+    // Where nothing has been seen yet there is no radius to go on from: the first sight sets it.
+    point.radius = trust_ == Trust::NeverSeen
+                       ? kFoveaRadius + static_cast<float>(FoveaRadius::kWidest)
+                       : fovea_.at(now_, age, point.saccade);
+  }
   return point;
 }
 

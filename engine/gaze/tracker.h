@@ -6,8 +6,10 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "engine/gaze/fovea.h"
 #include "engine/gaze/log.h"
 #include "engine/gaze/point_of_interest.h"
+#include "engine/gaze/refiner.h"
 
 namespace macula::gaze {
 
@@ -43,13 +45,20 @@ inline constexpr double kTimeTolerance = 1e-6;
 [[nodiscard]] glm::dvec2 easeTowards(const glm::dvec2& point, const glm::dvec2& goal,
                                      double seconds);
 
+/// What a stream of samples is taken for.
+struct TrackerOptions {
+  double sampleInterval = 0.0;  ///< nominal, in seconds, for the silence rule; 0 where unknown
+  double latencySeconds = 0.0;  ///< >= 0; by how much later than its time a sample is known
+  bool live = false;            ///< from a device now, not from a log
+  PipelineSettings pipeline = {};
+  Display display = {};
+};
+
 /// Follows one stream of samples from a tracker. Feed samples and ask for the point in the order of
 /// their times.
 class PointOfInterestTracker {
  public:
-  /// @param sampleInterval nominal time between samples in seconds, for the silence rule; 0 where
-  ///   it is unknown
-  explicit PointOfInterestTracker(double sampleInterval = 0.0);
+  explicit PointOfInterestTracker(const TrackerOptions& options = {});
 
   /// Takes the next sample. One that is not later than the newest so far is ignored.
   void observe(const GazeSample& sample);
@@ -74,13 +83,18 @@ class PointOfInterestTracker {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
   double silenceLimit_;
+  double latency_;
+  bool widens_;
+  GazeRefiner refiner_;
+  FoveaRadius fovea_;
+  bool saccadeSeen_ = false;  ///< since the point was last asked for
   double now_ = kNever;
   double newestTime_ = kNever;
   glm::dvec2 raw_ = kNoPosition;
 
   Trust trust_ = Trust::NeverSeen;
   glm::dvec2 position_{0.5};
-  glm::dvec2 gaze_{0.5};     ///< newest trusted place, clamped to the window
+  glm::dvec2 gaze_{0.5};     ///< newest trusted place, refined and clamped to the window
   bool catchingUp_ = false;  ///< trusted, but the point is still on its way to gaze_
   double trustedAt_ = kNever;
   double lostAt_ = kNever;

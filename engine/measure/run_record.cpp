@@ -59,7 +59,10 @@ Json frameJson(const FrameRecord& frame) {
             {"raw_x", number(frame.rawX)},
             {"raw_y", number(frame.rawY)},
             {"state", frame.gazeState},
-            {"age_s", number(frame.gazeAgeSeconds)}}},
+            {"age_s", number(frame.gazeAgeSeconds)},
+            {"radius", frame.gazeRadius},
+            {"saccade", frame.gazeSaccade},
+            {"error_deg", orNull(frame.gazeErrorDegrees)}}},
           {"r", frame.resizeFactor},
           {"ms", ms},
           {"fragments", fragmentsJson(frame.fragments)},
@@ -105,6 +108,17 @@ std::optional<FragmentNumbers> sumFragments(const std::vector<FrameRecord>& fram
   return sum;
 }
 
+Json gazeErrorJson(const std::vector<FrameRecord>& frames) {
+  std::vector<double> errors;
+  for (const FrameRecord& frame : frames) {
+    if (frame.gazeErrorDegrees) errors.push_back(*frame.gazeErrorDegrees);
+  }
+  return {{"frames", errors.size()},
+          {"median", orNull(median(errors))},
+          {"p95", orNull(p95(errors))},
+          {"max", errors.empty() ? Json(nullptr) : Json(*std::ranges::max_element(errors))}};
+}
+
 Json summaryJson(const RunRecord& run) {
   std::vector<double> totals;
   std::vector<double> flickers;
@@ -115,6 +129,7 @@ Json summaryJson(const RunRecord& run) {
   return {{"ms", {{"median", orNull(median(totals))}, {"p95", orNull(p95(totals))}}},
           {"error", errorJson(meanError(run.frames))},
           {"flicker", orNull(mean(flickers))},
+          {"gaze_error_deg", gazeErrorJson(run.frames)},
           {"fragments", fragmentsJson(sumFragments(run.frames))},
           {"load_ms", run.loadMs},
           {"first_frame_ms", run.firstFrameMs}};

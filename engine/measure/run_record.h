@@ -35,6 +35,11 @@ struct FrameRecord {
   double rawY = 0.0;
   std::string gazeState;
   double gazeAgeSeconds = 0.0;  ///< infinite where no sample has come yet
+  double gazeRadius = 0.0;      ///< share of the window's height
+  bool gazeSaccade = false;
+  /// Degrees between the point of interest and where the eye was at the frame's time by the newest
+  /// believed sample; none where that is not known.
+  std::optional<double> gazeErrorDegrees;
   double resizeFactor = 1.0;
   double totalMs = 0.0;
   std::vector<std::pair<std::string, double>> passMs;
@@ -72,7 +77,8 @@ struct RunRecord {
 /// report.json, schema 1. What does not apply is null.
 /// The summary: median and 95th percentile of the frame times; the errors' means over frames, with
 /// rmse as the root of the mean square, psnr_db from it, and max as the largest; the mean flicker
-/// of all frames but the first; fragment sums.
+/// of all frames but the first; median, 95th percentile and largest error of the point of interest;
+/// fragment sums.
 [[nodiscard]] nlohmann::ordered_json toJson(const RunRecord& run);
 
 }  // namespace macula::measure

@@ -9,7 +9,8 @@ double importanceOf(glm::dvec2 p, glm::dvec2 o, glm::dvec2 size, double layers,
                     const MirrorSettings& s) {
   const double depth = s.rangeBias + (1.0 - s.rangeBias) * std::min(1.0, layers / s.layerLimit);
   const double diagonal = std::hypot(size.x, size.y);
-  const double away = 2.0 * std::hypot(p.x - o.x, p.y - o.y) / (1.1 * diagonal);
+  const double distance = std::max(0.0, std::hypot(p.x - o.x, p.y - o.y) - s.widened);
+  const double away = 2.0 * distance / (1.1 * diagonal);
   const double periphery = std::clamp(1.0 - std::pow(away, s.periphery), 0.0, 1.0);
   return depth * periphery;
 }

@@ -11,6 +11,7 @@ struct MirrorSettings {
   double rangeBias = 0.35;
   double periphery = 3.0;
   double layerLimit = 10.0;
+  double widened = 0.0;  ///< pixels around o that count as looked at
 };
 
 /// I_per I_d of Vasilakis 2017, Eq. 3 and 4 (no Fresnel history, no noise), clamped.

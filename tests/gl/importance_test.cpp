@@ -62,6 +62,27 @@ TEST_F(GlTest, ImportanceAndLayersEqualTheMirror) {
   }
 }
 
+TEST_F(GlTest, AnUncertainGazeWidensWhatCountsAsLookedAt) {
+  constexpr glm::ivec2 kSize{60, 40};
+  Bench bench(tangle(400, 2), mirrored(3.0), kSize, machine());
+  gaze::PointOfInterest point = gaze::exactPoint({0.25, 0.5});
+  point.radius = gaze::kFoveaRadius + 0.2F;  // 8 pixels more
+  bench.renderer.render(bench.camera, point);
+  const auto importance = bench.words(Resource::Importance, 1);
+  const auto counts = bench.floats(Resource::FragmentCount, 1);
+  MirrorSettings widened;
+  widened.widened = 8.0;
+  for (int y = 0; y < kSize.y; ++y) {
+    for (int x = 0; x < kSize.x; ++x) {
+      const auto p = static_cast<std::size_t>(y * kSize.x + x);
+      if (counts[p] == 0.0F) continue;
+      const double expected =
+          importanceOf({x + 0.5, y + 0.5}, {15.0, 20.0}, glm::dvec2(kSize), counts[p], widened);
+      EXPECT_NEAR(importance[p], expected * 65536.0, 2.0) << x << "," << y;
+    }
+  }
+}
+
 TEST_F(GlTest, LayersFollowTheGaze) {
   Bench bench(tangle(900, 4), mirrored(6.0), {96, 96}, machine());
   const auto meanNear = [&](glm::vec2 gaze, int centerX) {

@@ -87,7 +87,9 @@ TEST(ReplayGaze, TakesTheNewestSampleAtOrBeforeTheFrame) {
 }
 
 TEST(ReplayGaze, LatencyDelaysTheSamplesAndAges) {
-  ReplayGaze replay(ramp(), 0.06);
+  GazeSettings settings;
+  settings.latencyMs = 60.0;
+  ReplayGaze replay(ramp(), settings);
   EXPECT_EQ(replay.at(0.05).state, GazeState::None);
   const PointOfInterest point = replay.at(0.565);
   EXPECT_FLOAT_EQ(point.position.x, 0.35F);

@@ -29,7 +29,7 @@ GazeSample flagged(int index) {
 
 /// A tracker that saw (0.1, 0.5) at 0, 20, .. 80 ms.
 PointOfInterestTracker afterFiveSamples() {
-  PointOfInterestTracker tracker(kInterval);
+  PointOfInterestTracker tracker({.sampleInterval = kInterval});
   for (int i = 0; i < 5; ++i) tracker.observe(seen(i, 0.1, 0.5));
   return tracker;
 }
@@ -62,7 +62,7 @@ TEST(GazeEase, DoesNotDependOnTheSteps) {
 }
 
 TEST(GazeTracker, StartsWithNoneAtTheCentreAndBelievesTheFirstSample) {
-  PointOfInterestTracker tracker(kInterval);
+  PointOfInterestTracker tracker({.sampleInterval = kInterval});
   const PointOfInterest before = tracker.at(0.0);
   expectPoint(before, GazeState::None, 0.5, 0.5);
   EXPECT_TRUE(std::isinf(before.ageSeconds));
@@ -177,7 +177,7 @@ TEST(GazeTracker, CodesInPlaceOfAPositionAreALoss) {
 }
 
 TEST(GazeTracker, LostFromTheStartStaysAtTheCentreAndEasesToTheFirstTrustedPlace) {
-  PointOfInterestTracker tracker(kInterval);
+  PointOfInterestTracker tracker({.sampleInterval = kInterval});
   for (int i = 0; i < 5; ++i) tracker.observe(flagged(i));
   const PointOfInterest lost = tracker.at(0.09);
   expectPoint(lost, GazeState::Lost, 0.5, 0.5);
@@ -207,7 +207,7 @@ TEST(GazeTracker, FrozenPlaceIsALossSinceItsFirstRepeat) {
 }
 
 TEST(GazeTracker, TwoEqualPlacesOfASlowTrackerAreNotFrozen) {
-  PointOfInterestTracker tracker(0.1);
+  PointOfInterestTracker tracker({.sampleInterval = 0.1});
   GazeSample sample = seen(0, 0.3, 0.4);
   tracker.observe(sample);
   sample.timeSeconds = 0.1;
@@ -253,7 +253,7 @@ TEST(GazeTracker, OneMissingSampleIsNoLoss) {
 }
 
 TEST(GazeTracker, SilenceLimitIsAtLeast60Milliseconds) {
-  PointOfInterestTracker tracker(0.001);
+  PointOfInterestTracker tracker({.sampleInterval = 0.001});
   tracker.observe(seen(0, 0.1, 0.5));
   EXPECT_EQ(tracker.at(0.059).state, GazeState::Ok);
   EXPECT_EQ(tracker.at(0.061).state, GazeState::Held);

@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/sha256.h"
+#include "engine/gaze/point_error.h"
 #include "engine/gaze/source.h"
 #include "engine/image/image.h"
 #include "engine/measure/flicker.h"
@@ -79,6 +80,8 @@ measure::FrameRecord recordOf(const passes::FrameResult& result,
   record.rawY = point.raw.y;
   record.gazeState = gaze::stateName(point.state);
   record.gazeAgeSeconds = point.ageSeconds;
+  record.gazeRadius = point.radius;
+  record.gazeSaccade = point.saccade;
   record.totalMs = result.totalMs;
   for (const frame::PassTime& pass : result.passes) {
     record.passMs.emplace_back(pass.name, pass.ms);
@@ -163,7 +166,8 @@ void replay(const ReplayOptions& options) {
   const auto begin = Clock::now();
   const glm::ivec2 size = parseSize(options.size);
   makeOutputFolder(options.out);
-  const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.latencyMs * 1e-3);
+  const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
+  const auto trueGaze = gaze::parseGazeSpec(options.gaze, gaze::undelayed(options.gazeSettings));
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
   for (const std::string& warning : loaded.scene.warnings) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
@@ -211,6 +215,8 @@ void replay(const ReplayOptions& options) {
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
     measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
+    record.gazeErrorDegrees =
+        gaze::pointError(point, trueGaze->at(time), options.gazeSettings.display);
     noteFirstFrame();
     painter.readBack();
     record.index = i;

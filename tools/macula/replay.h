@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/gaze/gaze_settings.h"
 #include "engine/measure/flip.h"
 #include "engine/settings/registry.h"
 #include "passes/render_settings.h"
@@ -25,10 +26,10 @@ struct ReplayOptions {
   bool reference = false;
   bool hdr = false;
   double fps = 60.0;
-  double latencyMs = 0.0;
   int warmup = 3;
   double pixelsPerDegree = measure::kDefaultPixelsPerDegree;  ///< of FLIP and eccentricity
   passes::RenderSettings settings;
+  gaze::GazeSettings gazeSettings;
   settings::Registry registry;
 };
 

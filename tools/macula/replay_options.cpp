@@ -10,6 +10,7 @@ void addReplay(CLI::App& root) {
   constexpr int kMaxFrames = 1000000;
   auto o = std::make_shared<ReplayOptions>();
   passes::registerSettings(o->registry, o->settings);
+  gaze::registerSettings(o->registry, o->gazeSettings);
   CLI::App* command =
       root.add_subcommand("replay", "Headless, deterministic frames along a gaze log and a camera");
   command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name")->required();
@@ -26,8 +27,6 @@ void addReplay(CLI::App& root) {
   command->add_flag("--hdr", o->hdr, "Errors on linear values, HDR-FLIP");
   command->add_option("--fps", o->fps, "Frame i is at i / fps (default 60)")
       ->check(CLI::Range(0.001, 100000.0));
-  command->add_option("--gaze-latency-ms", o->latencyMs, "A frame knows gaze this much older")
-      ->check(CLI::Range(0.0, 10000.0));
   command->add_option("--warmup", o->warmup, "Frames before frame 0, not reported (default 3)")
       ->check(CLI::Range(0, 1000));
   command

@@ -1,0 +1,26 @@
+#include "engine/gaze/display_mapping.h"
+
+#include "engine/gaze/log.h"
+
+namespace macula::gaze {
+
+glm::dvec2 shareOfDisplay(const glm::dvec2& gaze, GazeUnit unit, const WindowPlacement& placement,
+                          const glm::dvec2& calibratedMicrometres) {
+  switch (unit) {
+    case GazeUnit::Pixels:
+      return gaze / (placement.monitorSize * placement.pixelsPerUnit);
+    case GazeUnit::Micrometres:
+      return gaze / calibratedMicrometres;
+    case GazeUnit::Share:
+      break;
+  }
+  return gaze;
+}
+
+glm::dvec2 displayToWindow(const glm::dvec2& share, const WindowPlacement& placement) {
+  if (!(placement.clientSize.x > 0.0) || !(placement.clientSize.y > 0.0)) return kNoPosition;
+  const glm::dvec2 onDesktop = placement.monitorOrigin + share * placement.monitorSize;
+  return (onDesktop - placement.clientOrigin) / placement.clientSize;
+}
+
+}  // namespace macula::gaze

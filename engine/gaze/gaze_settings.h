@@ -1,0 +1,42 @@
+// Settings of the gaze, registered under `gaze.` and `display.`.
+#pragma once
+
+#include "engine/gaze/display.h"
+#include "engine/gaze/one_euro.h"
+#include "engine/gaze/saccade_detector.h"
+#include "engine/settings/registry.h"
+
+namespace macula::gaze {
+
+/// Whether believed samples are smoothed.
+enum class FilterChoice {
+  Auto,     ///< One Euro for live trackers; nothing in replay, and for the mouse
+  None,     ///< as recorded
+  OneEuro,  ///< bypassed in saccades
+};
+
+/// Where the point goes while the eye is in a saccade.
+enum class Prediction {
+  None,     ///< along with the eye
+  Landing,  ///< ahead, to where the saccade will land
+};
+
+/// From believed samples to the point of interest.
+struct PipelineSettings {
+  FilterChoice filter = FilterChoice::Auto;
+  OneEuroSettings oneEuro;  ///< speeds in degrees of visual angle a second
+  SaccadeSettings saccade;
+  Prediction prediction = Prediction::None;
+  bool widen = true;  ///< the fovea, where the gaze is old or in a saccade
+};
+
+struct GazeSettings {
+  Display display;
+  PipelineSettings pipeline;
+  double latencyMs = 0.0;  ///< >= 0; a frame knows gaze that is this much older
+};
+
+/// Registers all of them; `settings` must outlive the registry.
+void registerSettings(settings::Registry& registry, GazeSettings& settings);
+
+}  // namespace macula::gaze
