@@ -1,65 +1,15 @@
 #include "engine/experiment/report.h"
 
 #include <map>
-#include <string_view>
 
 #include "engine/core/file.h"
+#include "engine/core/page.h"
 #include "engine/experiment/picture.h"
 
 namespace macula::experiment {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// JSON inside a <script> must not close it, nor begin a comment.
-std::string scriptSafe(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-std::string htmlSafe(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
-/// Replaces {{name}} by the text of that name, in one pass: what is put in is not searched again.
-std::string fill(std::string_view page, const std::map<std::string, std::string>& texts) {
-  std::string filled;
-  while (!page.empty()) {
-    const std::size_t open = page.find("{{");
-    const std::size_t close = open == std::string_view::npos ? open : page.find("}}", open);
-    if (close == std::string_view::npos) break;
-    const auto text = texts.find(std::string(page.substr(open + 2, close - open - 2)));
-    filled += page.substr(0, open);
-    filled += text == texts.end() ? std::string(page.substr(open, close + 2 - open)) : text->second;
-    page.remove_prefix(close + 2);
-  }
-  return filled + std::string(page);
-}
 
 /// Every picture once, by the path that points name it by.
 Json picturesOf(const Results& results, const std::filesystem::path& folder) {
@@ -125,9 +75,9 @@ std::string reportPage(const Results& results, const std::filesystem::path& fold
       {"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
       {"licence", readTextFile(vendor / "uPlot.LICENSE")},
       {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
-      {"data", scriptSafe(data)},
+      {"data", scriptSafe(data.dump(-1, ' ', false, Json::error_handler_t::replace))},
       {"script", readTextFile(report / "charts.js") + readTextFile(report / "report.js")}};
-  return fill(readTextFile(report / "report.html"), texts);
+  return fillPage(readTextFile(report / "report.html"), texts);
 }
 
 }  // namespace macula::experiment

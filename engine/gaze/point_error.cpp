@@ -1,5 +1,8 @@
 #include "engine/gaze/point_error.h"
 
+#include "engine/gaze/refiner.h"
+#include "engine/gaze/source.h"
+
 namespace macula::gaze {
 
 GazeSettings undelayed(const GazeSettings& settings) {
@@ -14,6 +17,57 @@ std::optional<double> pointError(const PointOfInterest& point, const PointOfInte
                                  const Display& display) {
   if (truth.state != GazeState::Ok) return std::nullopt;
   return angleBetween(point.position, truth.position, display);
+}
+
+std::vector<double> pointErrors(const GazeLog& log, const GazeSettings& settings,
+                                double framesPerSecond) {
+  std::vector<double> errors;
+  if (log.samples.empty()) return errors;
+  ReplayGaze replay(log, settings);
+  ReplayGaze truth(log, undelayed(settings));
+  const double end = log.samples.back().timeSeconds;
+  for (std::size_t frame = 0; static_cast<double>(frame) / framesPerSecond <= end; ++frame) {
+    const double time = static_cast<double>(frame) / framesPerSecond;
+    const PointOfInterest point = replay.at(time);
+    // Before the first sample arrives there is no point that could be wrong.
+    const auto error = pointError(point, truth.at(time), settings.display);
+    if (error && point.state != GazeState::None) errors.push_back(*error);
+  }
+  return errors;
+}
+
+LandingErrors landingErrors(const GazeLog& log, const GazeSettings& settings) {
+  LandingErrors errors;
+  GazeSettings predicting = settings;
+  predicting.pipeline.filter = FilterChoice::None;
+  predicting.pipeline.prediction = Prediction::Landing;
+  GazeRefiner refiner(predicting.pipeline, settings.display, false);
+  struct Step {
+    glm::dvec2 place;
+    glm::dvec2 predicted;
+  };
+  std::vector<Step> saccade;
+  double newest = -1.0;
+  for (const GazeSample& sample : log.samples) {
+    if (!(sample.timeSeconds > newest)) continue;
+    newest = sample.timeSeconds;
+    if (!sample.valid) {
+      refiner.reset();
+      saccade.clear();  // its end was not seen
+      continue;
+    }
+    const glm::dvec2 refined = refiner.refine(sample.timeSeconds, sample.position);
+    if (refiner.inSaccade()) {
+      saccade.push_back({sample.position, refined});
+      continue;
+    }
+    for (const Step& step : saccade) {
+      errors.unpredicted.push_back(angleBetween(step.place, sample.position, settings.display));
+      errors.predicted.push_back(angleBetween(step.predicted, sample.position, settings.display));
+    }
+    saccade.clear();
+  }
+  return errors;
 }
 
 }  // namespace macula::gaze

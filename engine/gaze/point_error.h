@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/gaze/gaze_settings.h"
+#include "engine/gaze/log.h"
 #include "engine/gaze/point_of_interest.h"
 
 namespace macula::gaze {
@@ -17,5 +19,18 @@ namespace macula::gaze {
 [[nodiscard]] std::optional<double> pointError(const PointOfInterest& point,
                                                const PointOfInterest& truth,
                                                const Display& display);
+
+/// pointError() of every frame of a replay of the log, where it is known.
+/// @param framesPerSecond > 0
+[[nodiscard]] std::vector<double> pointErrors(const GazeLog& log, const GazeSettings& settings,
+                                              double framesPerSecond);
+
+/// How far saccades in progress are from where they land, in degrees: one entry for each sample
+/// within a saccade whose end was seen.
+struct LandingErrors {
+  std::vector<double> unpredicted;  ///< the sample itself
+  std::vector<double> predicted;    ///< by LandingPredictor, from the samples up to it
+};
+[[nodiscard]] LandingErrors landingErrors(const GazeLog& log, const GazeSettings& settings);
 
 }  // namespace macula::gaze

@@ -37,7 +37,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text = canonicalCsv(log);
     require(canonicalCsv(parse(text)) == text);
 
-    ReplayGaze replay(std::move(log), 0.05);
+    GazeSettings settings;
+    settings.latencyMs = 50.0;
+    ReplayGaze replay(std::move(log), settings);
     for (int frame = 0; frame < 120; ++frame) {
       const PointOfInterest point = replay.at(frame / 60.0);
       require(point.position.x >= 0.0F && point.position.x <= 1.0F);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <numeric>
 
 #include "engine/core/error.h"
 #include "engine/gaze/delay.h"
@@ -89,6 +90,16 @@ TEST(PointError, IsNothingWithoutLatencyAndGrowsWithIt) {
   const double at150 = medianError(log, with(150.0));
   EXPECT_GT(at60, 0.1);
   EXPECT_GT(at150, 1.5 * at60);
+}
+
+TEST(PointError, LandingsAreNearerThanTheSamplesOfASaccade) {
+  const LandingErrors errors = landingErrors(synthesizeGaze({.rateHz = 250.0}), {});
+  ASSERT_GT(errors.predicted.size(), 100U);
+  ASSERT_EQ(errors.predicted.size(), errors.unpredicted.size());
+  const auto mean = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  EXPECT_LT(mean(errors.predicted), 0.8 * mean(errors.unpredicted));
 }
 
 TEST(PointError, ByHand) {

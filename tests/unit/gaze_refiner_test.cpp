@@ -57,20 +57,32 @@ TEST(OneEuro, ByHand) {
 
 constexpr double kStep = 0.004;  // 250 Hz
 
-TEST(SaccadeDetector, SeesTheSecondSampleOfASaccadeAndItsEnd) {
+TEST(SaccadeDetector, SeesASaccadeOneStepAfterItsStartAndItsEnd) {
   SaccadeDetector detector;
   double time = 0.0;
-  const auto see = [&](double degrees) { detector.observe(time += kStep, {degrees, 0.0}); };
+  // 125 Hz: each step is a baseline.
+  const auto see = [&](double degrees) { detector.observe(time += 0.008, {degrees, 0.0}); };
   see(0.0);
-  see(0.1);  // 25 degrees a second
+  see(0.2);  // 25 degrees a second
   EXPECT_FALSE(detector.inSaccade());
   EXPECT_NEAR(detector.speed(), 25.0, 1e-9);
-  see(0.6);  // 125
+  see(1.2);  // 125
   EXPECT_TRUE(detector.inSaccade());
-  see(0.9);  // 75: above half of the onset speed
+  see(1.8);  // 75: above half of the onset speed
   EXPECT_TRUE(detector.inSaccade());
-  see(1.0);  // 25
+  see(2.0);  // 25
   EXPECT_FALSE(detector.inSaccade());
+}
+
+TEST(SaccadeDetector, NoiseOfAFastTrackerIsNoSaccade) {
+  SaccadeDetector detector;
+  for (int i = 0; i < 1000; ++i) {  // 1 kHz; 0.2 degrees up and down are 200 degrees a second
+    detector.observe(i * 0.001, {i % 2 == 0 ? 0.2 : 0.0, 0.0});
+    EXPECT_FALSE(detector.inSaccade());
+  }
+  for (int i = 0; i < 20; ++i) detector.observe(1.0 + i * 0.001, {0.2 * i, 0.0});
+  EXPECT_TRUE(detector.inSaccade());
+  EXPECT_NEAR(detector.speed(), 200.0, 1e-6);
 }
 
 TEST(SaccadeDetector, TakesNoSpeedOverAGapOrATimeThatStandsStill) {
@@ -93,7 +105,7 @@ TEST(SaccadeDetector, IsNotCaughtInATrackerThatDrifts) {
     detector.observe(i * kStep, {i * kStep * 90.0 + (i > 0 ? 1.0 : 0.0), 0.0});
     inSaccade += detector.inSaccade() ? 1 : 0;
   }
-  EXPECT_EQ(inSaccade, 62);  // 250 ms from the last sample at rest
+  EXPECT_EQ(inSaccade, 61);  // 250 ms from the last sample at rest
 }
 
 /// Way covered by a saccade of `amplitude` after `seconds`, by the model of the predictor.

@@ -9,6 +9,8 @@ void addChart(CLI::App& root);
 void addCompare(CLI::App& root);
 void addDevices(CLI::App& root);
 void addGaze(CLI::App& root);
+/// @param gaze what addGaze() added
+void addGazeStudy(CLI::App& gaze);
 void addReplay(CLI::App& root);
 void addScene(CLI::App& root);
 #ifdef MACULA_WINDOW

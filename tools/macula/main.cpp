@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     macula::tools::addChart(root);
     macula::tools::addCompare(root);
     macula::tools::addGaze(root);
+    macula::tools::addGazeStudy(*root.get_subcommand("gaze"));
     macula::tools::addScene(root);
     macula::tools::addDevices(root);
     macula::settings::parseCommandLine(root, argc, argv);

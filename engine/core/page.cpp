@@ -1,0 +1,52 @@
+#include "engine/core/page.h"
+
+namespace macula {
+
+std::string scriptSafe(std::string_view json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string htmlSafe(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string fillPage(std::string_view page, const std::map<std::string, std::string>& texts) {
+  std::string filled;
+  while (!page.empty()) {
+    const std::size_t open = page.find("{{");
+    const std::size_t close = open == std::string_view::npos ? open : page.find("}}", open);
+    if (close == std::string_view::npos) break;
+    const auto text = texts.find(std::string(page.substr(open + 2, close - open - 2)));
+    filled += page.substr(0, open);
+    filled += text == texts.end() ? std::string(page.substr(open, close + 2 - open)) : text->second;
+    page.remove_prefix(close + 2);
+  }
+  return filled + std::string(page);
+}
+
+}  // namespace macula

@@ -1,0 +1,21 @@
+// HTML pages from templates.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace macula {
+
+/// JSON text for the inside of a <script>: it must not close it, nor begin a comment.
+[[nodiscard]] std::string scriptSafe(std::string_view json);
+
+/// Text for the body of a page.
+[[nodiscard]] std::string htmlSafe(std::string_view text);
+
+/// Replaces {{name}} by the text of that name, in one pass: what is put in is not searched again.
+/// Unknown names stay as they are.
+[[nodiscard]] std::string fillPage(std::string_view page,
+                                   const std::map<std::string, std::string>& texts);
+
+}  // namespace macula

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Latency from outside: replay reports its error, gaze study charts it."""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+MACULA = sys.argv[1]
+LOG = os.path.join(os.environ["MACULA_SOURCE"], "assets", "gallery_gaze.csv")
+
+
+def replay(folder, latency):
+    out = os.path.join(folder, "run")
+    subprocess.run([MACULA, "replay", "smoke", "--size", "64x48", "--frames", "90", "--gaze", LOG, "--k-ave", "0.5",
+                    "--gaze-latency-ms", str(latency), "--out", out], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(os.path.join(out, "report.json")) as f:
+        return json.load(f)
+
+
+def check_replay(folder):
+    at_once, late, again = replay(folder, 0), replay(folder, 60), replay(folder, 60)
+    assert at_once["summary"]["gaze_error_deg"]["max"] == 0, at_once["summary"]
+    assert late["summary"]["gaze_error_deg"]["median"] > 0.05, late["summary"]
+    assert late["settings"]["gaze.latencyMs"] == 60
+    hashes = [[f["image_sha256"] for f in r["frames"]] for r in (at_once, late, again)]
+    assert hashes[1] == hashes[2]
+    assert hashes[0] != hashes[1]
+    radii = [f["fovea"]["radius"] for f in late["frames"]]
+    assert min(radii) >= 0.1 and max(radii) > 0.2, (min(radii), max(radii))
+
+
+def check_study(folder):
+    out = os.path.join(folder, "study")
+    subprocess.run([MACULA, "gaze", "study", LOG, "--latencies", "0,60,150", "--out", out],
+                   check=True, stdout=subprocess.DEVNULL)
+    with open(os.path.join(out, "results.csv")) as f:
+        rows = list(csv.DictReader(f))
+    assert len(rows) == 4 * 3, len(rows)
+    errors = [float(r["mean_deg"]) for r in rows if r["way"] == "as recorded"]
+    assert errors[0] == 0 and errors[1] > 0.5 and errors[2] > errors[1], errors
+    with open(os.path.join(out, "results.json")) as f:
+        landing = json.load(f)["logs"][0]["landing_error_deg"]
+    assert landing["predicted"]["frames"] > 50
+    assert landing["predicted"]["mean"] < landing["unpredicted"]["mean"], landing
+    with open(os.path.join(out, "report.html")) as f:
+        page = f.read()
+    assert "{{" not in page.split("<script>")[0] and "gallery_gaze.csv" in page
+    bad = subprocess.run([MACULA, "gaze", "study", LOG, "--latencies", "-5", "--out", out],
+                         capture_output=True, text=True)
+    assert bad.returncode == 2 and len(bad.stderr.splitlines()) == 1, bad
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    check_replay(temporary)
+    check_study(temporary)
+print("ok")

@@ -1,0 +1,151 @@
+// macula gaze study LOG... --out DIR: how far the point of interest is from the eye under latency.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "common.h"
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/core/page.h"
+#include "engine/gaze/point_error.h"
+#include "engine/measure/statistics.h"
+#include "engine/settings/command_line.h"
+#include "macula_version.h"
+
+namespace macula::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> files;
+  std::vector<double> latenciesMs{0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 150.0, 200.0};
+  double fps = 60.0;
+  std::string out;
+  std::string json;
+  gaze::GazeSettings settings;
+  settings::Registry registry;
+};
+
+struct Way {
+  const char* name;
+  gaze::FilterChoice filter;
+  gaze::Prediction prediction;
+};
+
+/// Every way from believed samples to the point, in the order of the report.
+constexpr std::array<Way, 4> kWays{{
+    {"as recorded", gaze::FilterChoice::None, gaze::Prediction::None},
+    {"landing", gaze::FilterChoice::None, gaze::Prediction::Landing},
+    {"one-euro", gaze::FilterChoice::OneEuro, gaze::Prediction::None},
+    {"one-euro, landing", gaze::FilterChoice::OneEuro, gaze::Prediction::Landing},
+}};
+
+Json statistics(const std::vector<double>& errors) {
+  const auto orNull = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  return {{"frames", errors.size()},
+          {"mean", orNull(measure::mean(errors))},
+          {"median", orNull(measure::median(errors))},
+          {"p95", orNull(measure::p95(errors))}};
+}
+
+Json studyOf(const std::string& file, const Options& options) {
+  const gaze::GazeLog log = gaze::readGazeLog(file);
+  Json points = Json::array();
+  for (const Way& way : kWays) {
+    for (const double latency : options.latenciesMs) {
+      gaze::GazeSettings settings = options.settings;
+      settings.pipeline.filter = way.filter;
+      settings.pipeline.prediction = way.prediction;
+      settings.latencyMs = latency;
+      Json point{{"way", way.name}, {"latency_ms", latency}};
+      point["error_deg"] = statistics(gaze::pointErrors(log, settings, options.fps));
+      points.push_back(std::move(point));
+    }
+  }
+  const gaze::LandingErrors landing = gaze::landingErrors(log, options.settings);
+  return {{"log", fs::path(file).filename().string()},
+          {"format", log.format},
+          {"points", points},
+          {"landing_error_deg",
+           {{"predicted", statistics(landing.predicted)},
+            {"unpredicted", statistics(landing.unpredicted)}}}};
+}
+
+std::string csvOf(const Json& results) {
+  const auto text = [](const Json& value) { return value.is_null() ? "" : value.dump(); };
+  std::string csv = "log,way,latency_ms,frames,mean_deg,median_deg,p95_deg\n";
+  for (const Json& log : results["logs"]) {
+    for (const Json& point : log["points"]) {
+      const Json& error = point["error_deg"];
+      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", log["log"].get<std::string>(),
+                         point["way"].get<std::string>(), text(point["latency_ms"]),
+                         text(error["frames"]), text(error["mean"]), text(error["median"]),
+                         text(error["p95"]));
+    }
+  }
+  return csv;
+}
+
+std::string pageOf(const Json& results) {
+  const fs::path report = dataFolder("assets") / "report";
+  const fs::path vendor = report / "vendor";
+  return fillPage(
+      readTextFile(report / "gaze.html"),
+      {{"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
+       {"licence", readTextFile(vendor / "uPlot.LICENSE")},
+       {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
+       {"data", scriptSafe(results.dump())},
+       {"script", readTextFile(report / "charts.js") + readTextFile(report / "gaze.js")}});
+}
+
+void study(const Options& options) {
+  makeOutputFolder(options.out);
+  Json results{{"schema", 1},
+               {"commit", MACULA_COMMIT},
+               {"fps", options.fps},
+               {"settings", Json(options.registry.toJson())},
+               {"logs", Json::array()}};
+  ProgressBar progress("gaze study", static_cast<int>(options.files.size()));
+  for (const std::string& file : options.files) {
+    results["logs"].push_back(studyOf(file, options));
+    progress.advance();
+  }
+  const fs::path folder(options.out);
+  writeFileAtomically(folder / "results.json", results.dump(1) + "\n");
+  writeFileAtomically(folder / "results.csv", csvOf(results));
+  writeFileAtomically(folder / "report.html", pageOf(results));
+  writeJson(options.json, results);
+  if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
+}
+
+}  // namespace
+
+void addGazeStudy(CLI::App& gaze) {
+  auto o = std::make_shared<Options>();
+  gaze::registerSettings(o->registry, o->settings);
+  CLI::App* command =
+      gaze.add_subcommand("study", "Error of the point of interest under latency, charted");
+  command->add_option("files", o->files, "Gaze logs")->required();
+  command
+      ->add_option("--latencies", o->latenciesMs,
+                   "Latencies in ms, with commas (default 0,20,40,60,80,100,150,200)")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 10000.0));
+  command->add_option("--fps", o->fps, "Frames a second (default 60)")
+      ->check(CLI::Range(0.001, 100000.0));
+  command->add_option("--out", o->out, "Folder for results.csv, results.json and report.html")
+      ->required();
+  addJsonOption(*command, o->json);
+  settings::addOptions(*command, o->registry);
+  command->callback([o, command] {
+    settings::applyOptions(*command, o->registry);
+    study(*o);
+  });
+}
+
+}  // namespace macula::tools
