@@ -28,6 +28,13 @@ void registerPipeline(settings::Registry& registry, PipelineSettings& s) {
                      s.prediction, {"none", "landing"});
   registry.add({.key = "gaze.widen", .help = "the fovea grows where gaze is old or in a saccade"},
                s.widen);
+  constexpr settings::Range kOffsets{.min = -1.0, .max = 1.0};
+  registry.add({.key = "gaze.offsetX",
+                .unit = "widths",
+                .help = "added to every place, against a calibration that has drifted"},
+               s.offsetX, kOffsets);
+  registry.add({.key = "gaze.offsetY", .unit = "heights", .help = "the same, downwards"}, s.offsetY,
+               kOffsets);
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ struct PipelineSettings {
   SaccadeSettings saccade;
   Prediction prediction = Prediction::None;
   bool widen = true;  ///< the fovea, where the gaze is old or in a saccade
+  /// Added to every place, in shares of the window: takes out a calibration that has drifted.
+  double offsetX = 0.0;
+  double offsetY = 0.0;
 };
 
 struct GazeSettings {

@@ -49,6 +49,7 @@ PointOfInterestTracker::PointOfInterestTracker(const TrackerOptions& options)
     : silenceLimit_(std::max(kSilenceIntervals * options.sampleInterval, kSilenceSeconds)),
       latency_(options.latencySeconds),
       widens_(options.pipeline.widen),
+      offset_(options.pipeline.offsetX, options.pipeline.offsetY),
       refiner_(options.pipeline, options.display, options.live),
       fovea_(options.sampleInterval) {}
 
@@ -108,7 +109,7 @@ void PointOfInterestTracker::trust(const GazeSample& sample) {
   }
   trust_ = Trust::Trusted;
   trustedAt_ = sample.timeSeconds;
-  gaze_ = glm::clamp(refiner_.refine(sample.timeSeconds, sample.position), 0.0, 1.0);
+  gaze_ = glm::clamp(refiner_.refine(sample.timeSeconds, sample.position + offset_), 0.0, 1.0);
   saccadeSeen_ = saccadeSeen_ || refiner_.inSaccade();
   if (position_ == gaze_) catchingUp_ = false;
   if (!catchingUp_) position_ = gaze_;

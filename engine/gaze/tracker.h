@@ -85,6 +85,7 @@ class PointOfInterestTracker {
   double silenceLimit_;
   double latency_;
   bool widens_;
+  glm::dvec2 offset_;
   GazeRefiner refiner_;
   FoveaRadius fovea_;
   bool saccadeSeen_ = false;  ///< since the point was last asked for

@@ -103,6 +103,42 @@ TEST(LiveGaze, ABlinkIsSilenceAndUnplugIsNoticedAtOnce) {
   EXPECT_EQ(gaze.at(time).state, GazeState::Ok);
 }
 
+TEST(LiveGaze, PresentButUntrackedFallsBackToTheCentre) {
+  FakeReader reader;
+  LiveGaze gaze(reader, {}, kStart);
+  for (int i = 0; i < 600; ++i) {  // plugged in, and says nothing from the start
+    const PointOfInterest point = gaze.at(i / 60.0);
+    EXPECT_EQ(point.state, GazeState::None);
+    EXPECT_EQ(point.position, glm::vec2(0.5F));
+  }
+  double time = 10.0;
+  for (int i = 0; i < 100; ++i) reader.see(time += 0.004, 0.1, 0.9);
+  EXPECT_EQ(gaze.at(time).state, GazeState::Ok);
+  PointOfInterest point;
+  for (int i = 0; i < 180; ++i) {  // then all samples are flagged, at (0, 0)
+    reader.see(time += 1.0 / 60.0, 0.0, 0.0, false);
+    point = gaze.at(time);
+  }
+  EXPECT_EQ(point.state, GazeState::Lost);
+  EXPECT_EQ(point.position, glm::vec2(0.5F));
+  EXPECT_FLOAT_EQ(point.radius, kFoveaRadius + static_cast<float>(FoveaRadius::kWidest));
+}
+
+TEST(LiveGaze, AnOffsetTakesOutACalibrationThatHasDrifted) {
+  FakeReader reader;
+  GazeSettings settings;
+  settings.pipeline.filter = FilterChoice::None;
+  settings.pipeline.offsetX = -0.05;
+  settings.pipeline.offsetY = 0.1;
+  LiveGaze gaze(reader, settings, kStart);
+  gaze.place({.monitorSize = {100.0, 100.0}, .clientSize = {100.0, 100.0}});
+  reader.see(0.01, 0.45, 0.4);
+  const PointOfInterest point = gaze.at(0.02);
+  EXPECT_NEAR(point.position.x, 0.4F, 1e-5);
+  EXPECT_NEAR(point.position.y, 0.5F, 1e-5);
+  EXPECT_NEAR(point.raw.x, 0.45F, 1e-5) << "what was recorded stays";
+}
+
 TEST(LiveGaze, CountsRateAndLosses) {
   FakeReader reader;
   LiveGaze gaze(reader, {}, kStart);
