@@ -4,14 +4,14 @@
 
 namespace macula::gaze {
 
-glm::dvec2 shareOfDisplay(const glm::dvec2& gaze, GazeUnit unit, const WindowPlacement& placement,
+glm::dvec2 shareOfDisplay(const glm::dvec2& gaze, DeviceUnit unit, const WindowPlacement& placement,
                           const glm::dvec2& calibratedMicrometres) {
   switch (unit) {
-    case GazeUnit::Pixels:
+    case DeviceUnit::Pixels:
       return gaze / (placement.monitorSize * placement.pixelsPerUnit);
-    case GazeUnit::Micrometres:
+    case DeviceUnit::Micrometres:
       return gaze / calibratedMicrometres;
-    case GazeUnit::Share:
+    case DeviceUnit::Share:
       break;
   }
   return gaze;

@@ -6,7 +6,7 @@
 namespace macula::gaze {
 
 /// What the tracker's coordinates count; the origin is the upper left of its display.
-enum class GazeUnit {
+enum class DeviceUnit {
   Share,        ///< 0..1 of the display
   Pixels,       ///< device pixels of the display
   Micrometres,  ///< of the calibrated display
@@ -27,7 +27,7 @@ struct WindowPlacement {
 
 /// Where on the display, 0..1 from its upper left.
 /// @param calibratedMicrometres size of the calibrated display; used with Micrometres only
-[[nodiscard]] glm::dvec2 shareOfDisplay(const glm::dvec2& gaze, GazeUnit unit,
+[[nodiscard]] glm::dvec2 shareOfDisplay(const glm::dvec2& gaze, DeviceUnit unit,
                                         const WindowPlacement& placement,
                                         const glm::dvec2& calibratedMicrometres);
 

@@ -115,18 +115,18 @@ TEST(DisplayMapping, PixelsFollowTheContentScaleAwayFromTheOrigin) {
   // 3840x2160 pixels under 1920x1080 coordinates. At (0, 0) a forgotten scale would not show.
   WindowPlacement scaled = placement();
   scaled.pixelsPerUnit = 2.0;
-  const glm::dvec2 share = shareOfDisplay({1920.0, 1080.0}, GazeUnit::Pixels, scaled, {});
+  const glm::dvec2 share = shareOfDisplay({1920.0, 1080.0}, DeviceUnit::Pixels, scaled, {});
   EXPECT_EQ(share, glm::dvec2(0.5));
   EXPECT_EQ(displayToWindow(share, scaled), glm::dvec2(0.5));
-  EXPECT_EQ(displayToWindow(shareOfDisplay({2880.0, 540.0}, GazeUnit::Pixels, scaled, {}), scaled),
+  EXPECT_EQ(displayToWindow(shareOfDisplay({2880.0, 540.0}, DeviceUnit::Pixels, scaled, {}), scaled),
             glm::dvec2(1.0, 0.0));
 }
 
 TEST(DisplayMapping, MicrometresAreSharesOfTheCalibratedDisplay) {
   const glm::dvec2 size{597000.0, 336000.0};
-  EXPECT_EQ(shareOfDisplay({298500.0, 84000.0}, GazeUnit::Micrometres, placement(), size),
+  EXPECT_EQ(shareOfDisplay({298500.0, 84000.0}, DeviceUnit::Micrometres, placement(), size),
             glm::dvec2(0.5, 0.25));
-  EXPECT_EQ(shareOfDisplay({0.3, 0.4}, GazeUnit::Share, placement(), {}), glm::dvec2(0.3, 0.4));
+  EXPECT_EQ(shareOfDisplay({0.3, 0.4}, DeviceUnit::Share, placement(), {}), glm::dvec2(0.3, 0.4));
 }
 
 TEST(DisplayMapping, AWindowWithoutAreaHoldsNoGaze) {
