@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "engine/scene/camera_path.h"
@@ -15,6 +16,12 @@
 #include "passes/render_settings.h"
 
 namespace macula::tools {
+
+/// What was compared is not the same: one line, and exit status 1.
+class Difference : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// "1024x768". @throws InputError naming the option; sides from 1 to 16384
 [[nodiscard]] glm::ivec2 parseSize(const std::string& text);

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/measure/flip.h"
 #include "engine/settings/registry.h"
@@ -28,11 +29,13 @@ struct ReplayOptions {
   double latencyMs = 0.0;
   int warmup = 3;
   double pixelsPerDegree = measure::kDefaultPixelsPerDegree;  ///< of FLIP and eccentricity
+  /// Options that were given and that a recording answers itself, as they are typed.
+  std::vector<std::string> answeredByRecording;
   passes::RenderSettings settings;
   settings::Registry registry;
 };
 
-/// Draws the frames and writes images and report.
-void replay(const ReplayOptions& options);
+/// Draws the frames and writes images and report. A folder in place of a scene is a recording.
+void replay(ReplayOptions& options);
 
 }  // namespace macula::tools
