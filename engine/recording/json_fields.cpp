@@ -152,9 +152,12 @@ settings::Value Fields::setting(const std::string& key) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return value.get<double>();
   if (value.is_array()) return vector(key);
-  const bool large = value.is_number_unsigned() && value.get<std::uint64_t>() > std::uint64_t{1}
-                                                                                    << 62U;
-  if (!value.is_number() || large) fail(key, "is no value of a setting");
+  if (!value.is_number()) fail(key, "is no value of a setting");
+  // A whole number that is too large for one can only be meant as a real one.
+  constexpr std::uint64_t kLargest = std::numeric_limits<std::int64_t>::max();
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > kLargest) {
+    return value.get<double>();
+  }
   return value.get<std::int64_t>();
 }
 

@@ -29,6 +29,13 @@ void appendKey(std::string_view key, std::string& text) {
   text += "\":";
 }
 
+/// A key that is not one of this file's own words.
+void appendName(const std::string& name, std::string& text) {
+  if (text.back() != '{') text += ',';
+  appendText(name, text);
+  text += ':';
+}
+
 void appendVector(const glm::vec3& v, std::string& text) {
   text += '[';
   appendNumber(v.x, text);
@@ -57,7 +64,7 @@ struct AppendValue {
 void appendSettings(const Settings& settings, std::string& text) {
   text += '{';
   for (const auto& [key, value] : settings) {
-    appendKey(key, text);
+    appendName(key, text);
     std::visit(AppendValue{text}, value);
   }
   text += '}';
@@ -158,7 +165,10 @@ void appendFrameLine(const Frame& frame, std::string& line) {
   if (!frame.levers.empty()) {
     appendKey("levers", line);
     line += '{';
-    for (const auto& [name, value] : frame.levers) appendEntry(name, value, line);
+    for (const auto& [name, value] : frame.levers) {
+      appendName(name, line);
+      appendNumber(value, line);
+    }
     line += '}';
   }
   if (frame.unrecorded > 0) {
