@@ -45,7 +45,7 @@ void appendNumber(float number, std::string& text) {
   double read = 0.0;
   std::from_chars(brief.data(), brief.data() + brief.size(), read);
   // Rounded twice, first to a double, a text close to the middle of two floats can end at the
-  // other.
+  // other: 7.038531e-26 does.
   if (static_cast<float>(read) == number) {
     text += brief;
   } else {

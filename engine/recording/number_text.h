@@ -10,7 +10,8 @@ namespace macula::recording {
 void appendNumber(double number, std::string& text);
 
 /// The same for a float: the shortest text of a float where reading that as a double and rounding
-/// it once more gives the float again (it nearly always does), else the shortest of the double.
+/// it once more gives the float again (all but one and its negative do), else the shortest of the
+/// double.
 void appendNumber(float number, std::string& text);
 
 }  // namespace macula::recording

@@ -171,6 +171,22 @@ def check_steered_and_killed(folder):
     return record, frames
 
 
+def check_camera(folder, record, frames):
+    """The camera and the gaze of a recording serve elsewhere."""
+    out = os.path.join(folder, "elsewhere")
+    options = ["--frames", "4", "--fps", str(4 / frames[-1]["time_s"]), "--size", "64x48", "--gaze",
+               os.path.join(record, "gaze_raw.csv")]
+
+    def images(camera):
+        subprocess.run([MACULA, "replay", "smoke", "--camera", camera, "--out", out, *options],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+            return [frame["image_sha256"] for frame in json.load(f)["frames"]]
+
+    flown = images(record)
+    assert len(set(flown)) > 1 and flown != images("scene"), "the camera moved"
+
+
 def check_refused_change(folder):
     """A change that the renderer refuses leaves nothing behind that a replay would not know."""
     record = os.path.join(folder, "refused")
@@ -248,6 +264,7 @@ def check_scene_file(folder):
 def main():
     with tempfile.TemporaryDirectory() as folder, Display():
         record, frames = check_steered_and_killed(folder)
+        check_camera(folder, record, frames)
         check_refused_change(folder)
         check_cut_off(folder, record, frames)
         check_refusals(folder, record)

@@ -40,6 +40,15 @@ TEST(RecordingNumbers, AreTheShortestTextsAndNamesWhereThereAreNoDigits) {
   EXPECT_EQ(textOf(-std::numeric_limits<float>::infinity()), "\"-inf\"");
 }
 
+TEST(RecordingNumbers, AreLongerWhereTheShortestWouldBeRoundedTwice) {
+  // Of all floats only this one and its negative: read as a double, 7.038531e-26 lies in the middle
+  // between two floats, and the even one is the wrong one.
+  const auto number = std::bit_cast<float>(0x15ae43fdU);
+  ASSERT_NE(static_cast<float>(7.038531e-26), number);
+  EXPECT_EQ(textOf(number), "7.038530691851209e-26");
+  EXPECT_EQ(static_cast<float>(std::strtod(textOf(number).c_str(), nullptr)), number);
+}
+
 TEST(RecordingNumbers, ComeBackBitForBitThroughDoubles) {
   std::mt19937 random(1);
   for (int i = 0; i < 300000; ++i) {

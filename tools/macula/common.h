@@ -44,7 +44,7 @@ struct LoadedScene {
 [[nodiscard]] LoadedScene loadForRendering(const std::string& nameOrPath,
                                            const passes::RenderSettings& settings);
 
-/// `auto`, `scene` or a path file.
+/// `auto`, `scene`, a path file or the folder of a recording.
 [[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);
 
 /// Adds `--json FILE`; `-` is standard output.

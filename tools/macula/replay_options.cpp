@@ -33,7 +33,8 @@ void addReplay(CLI::App& root) {
                    "File (.gltf, .glb), procedural name, or the folder of a recording")
       ->required();
   command->add_option("--gaze", o->gaze, "center, x,y (0..1) or a log file (default center)");
-  command->add_option("--camera", o->camera, "auto, scene or a path file (default auto)");
+  command->add_option("--camera", o->camera,
+                      "auto, scene, a path file or a recording (default auto)");
   command->add_option("--frames", o->frames, "Number of frames (default 60)")
       ->check(CLI::Range(1, kMaxFrames));
   command->add_option("--size", o->size, "WIDTHxHEIGHT (default 1024x1024)");
