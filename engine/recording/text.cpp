@@ -81,6 +81,11 @@ std::string dumped(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+// Whoever adds a field finds out here that it belongs into appendCamera() or appendGaze(), into
+// parse.cpp and into the table of README.md: what is not recorded cannot be replayed.
+static_assert(sizeof(scene::Camera) == sizeof(std::string) + 12 * sizeof(float));
+static_assert(sizeof(gaze::PointOfInterest) == 7 * sizeof(float));
+
 void appendCamera(const scene::Camera& camera, std::string& text) {
   text += '{';
   appendKey("position", text);

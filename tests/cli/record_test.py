@@ -261,6 +261,43 @@ def check_scene_file(folder):
     assert scene in message and "no longer the file of the recording" in message, message
 
 
+def check_scene_change(folder):
+    """Two recordings, one after the other, are one in which the scene changes."""
+    records = []
+    for scene in ("layers-12", "smoke"):
+        record = os.path.join(folder, "first " + scene)
+        walk = Walk(record, scene, "--size", "96x64", "--frames", "4", "--no-panels")
+        assert walk.process.wait() == 0, walk.process.stderr.read()
+        records.append(record)
+    path = os.path.join(records[0], "frames.jsonl")
+    frames = [json.loads(line) for line in lines_of(path)]
+    for line in lines_of(os.path.join(records[1], "frames.jsonl")):
+        frame = json.loads(line)
+        if frame["index"] == 0:
+            frame["reset"] = "scene"
+            frame["scene"] = {"name": "smoke", "file": None, "sha256": None}
+        frame["index"] = len(frames)
+        frame["settings"] = {"walk.only": 1}  # what no image depends on
+        frames.append(frame)
+
+    def write():
+        with open(path, "w", encoding="utf-8") as f:
+            f.writelines(json.dumps(frame) + "\n" for frame in frames)
+
+    write()
+    out = os.path.join(folder, "out")
+    done = subprocess.run([MACULA, "replay", records[0], "--out", out], capture_output=True,
+                          text=True)
+    assert done.returncode == 0 and done.stderr.count("'walk.only' is not known") == 1, done.stderr
+    with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+        check_equal(json.load(f), len(frames))
+
+    frames[6]["r"] = 1.5
+    write()
+    message = replay(records[0], out, status=2)
+    assert "line 7: shading at r = 1.5" in message, message
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder, Display():
         record, frames = check_steered_and_killed(folder)
@@ -269,6 +306,7 @@ def main():
         check_cut_off(folder, record, frames)
         check_refusals(folder, record)
         check_scene_file(folder)
+        check_scene_change(folder)
     print(f"record: all checks passed, {len(frames)} steered frames")
 
 

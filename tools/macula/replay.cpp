@@ -50,7 +50,8 @@ void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& re
 }  // namespace
 
 void replay(ReplayOptions& options) {
-  if (std::filesystem::is_directory(options.scene)) return replayRecording(options);
+  std::error_code error;
+  if (std::filesystem::is_directory(options.scene, error)) return replayRecording(options);
   const auto begin = Clock::now();
   const glm::ivec2 size = parseSize(options.size);
   makeOutputFolder(options.out);

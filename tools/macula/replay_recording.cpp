@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "common.h"
@@ -66,6 +67,7 @@ class Session {
   std::optional<measure::FlickerMeter> flicker_;
   HashCount hashes_;
   std::uint64_t unrecorded_ = 0;
+  std::set<std::string> unknown_;  ///< settings that were left out
 };
 
 Session::Session(ReplayOptions& options, const recording::Recording& recording)
@@ -79,9 +81,16 @@ Session::Session(ReplayOptions& options, const recording::Recording& recording)
 }
 
 void Session::apply(const recording::Settings& settings) {
-  const std::string where =
-      (std::filesystem::path(options_.scene) / recording::kSessionFile).string();
-  for (const auto& [key, value] : settings) options_.registry.at(key, where).set(value, where);
+  const auto where = fmt::format("{}: the recording", options_.scene);
+  for (const auto& [key, value] : settings) {
+    if (settings::Entry* entry = options_.registry.find(key)) {
+      entry->set(value, where);
+    } else if (unknown_.insert(key).second) {
+      // A walk may have settings of its own, such as those of a tracker, that no image depends on.
+      fmt::print(stderr, "warning: {}: the setting '{}' is not known to replay and left out\n",
+                 options_.scene, oneLine(key));
+    }
+  }
   referenceSettings_ = passes::referenceOf(options_.settings);
 }
 
