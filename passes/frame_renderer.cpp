@@ -66,6 +66,7 @@ void FrameRenderer::setScene(const scene::GpuScene& scene) {
   inputs_.facts = scene.facts();
   if (!transparencyShown_) inputs_.facts.transparentTriangles = 0;  // every pass asks for these
   deepestSeen_ = 0;
+  ++steps_.scenes;
   settingsChanged();
 }
 
@@ -89,6 +90,21 @@ void FrameRenderer::resize(glm::ivec2 outputSize) {
 void FrameRenderer::settingsChanged() {
   prepared_ = false;
   historyUsable_ = false;
+  ++steps_.resets;
+}
+
+void FrameRenderer::restart() {
+  plan_ = {.method = &methodById(settings_.oit.method)};
+  list_ = makeFrameList(settings_, plan_);
+  resources_ = {};
+  inputs_.frameIndex = 0;
+  deepestSeen_ = 0;
+  lastCamera_.reset();
+  lastViewProjection_ = glm::mat4(1.0F);
+  prepared_ = false;
+  historyUsable_ = false;
+  unfinished_ = false;
+  ++steps_.restarts;
 }
 
 void FrameRenderer::uploadConstants() {
@@ -126,10 +142,13 @@ shader::OitTotals FrameRenderer::runOnce() {
 
 FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
                                   bool cut) {
+  if (unfinished_) restart();
+  unfinished_ = true;
   if (!prepared_) prepare();
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);
   inputs_.gaze = gaze;
+  cut_ = cut;
   const bool jumped =
       lastCamera_ && scene::isCameraCut(*lastCamera_, camera, inputs_.gpu->bounds().radius());
   inputs_.historyValid = historyUsable_ && !cut && !jumped;
@@ -154,6 +173,8 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   lastCamera_ = camera;
   historyUsable_ = true;
   ++inputs_.frameIndex;
+  ++steps_.frames;
+  unfinished_ = false;
   return result;
 }
 

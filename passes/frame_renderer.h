@@ -46,6 +46,16 @@ struct FrameResult {
   int recaptures = 0;  ///< times the frame was drawn again with a larger pool
 };
 
+/// How often each thing was done to a renderer. Two renderers to which the same was done between
+/// the same frames draw the same bits, so a recording that notes every step of these misses
+/// nothing.
+struct RendererSteps {
+  std::uint64_t frames = 0;    ///< drawn to the end
+  std::uint64_t resets = 0;    ///< history was given up: a new size, changed settings
+  std::uint64_t scenes = 0;    ///< a scene was set, or its transparent surfaces shown or hidden
+  std::uint64_t restarts = 0;  ///< everything that earlier frames left behind was given up
+};
+
 class FrameRenderer {
  public:
   FrameRenderer(const RenderSettings& settings, Machine& machine);
@@ -59,7 +69,11 @@ class FrameRenderer {
   void showTransparency(bool shown);
   /// To be called after a change of the settings given to the constructor.
   void settingsChanged();
+  /// Gives up everything that earlier frames left behind, so that the next one is drawn as by a new
+  /// renderer of the same scene and size. Images can be read again after that frame.
+  void restart();
 
+  /// A frame that ends with an exception leaves nothing behind: the next one begins with restart().
   /// @param gaze its place steers importance; a radius beyond gaze::kFoveaRadius widens what counts
   ///   as looked at
   /// @param cut the camera jumped; history is invalid
@@ -81,6 +95,13 @@ class FrameRenderer {
   [[nodiscard]] frame::ResourceBytes bytes() const { return resources_.bytes(); }
   [[nodiscard]] const frame::FrameResources& resources() const { return resources_; }
   [[nodiscard]] glm::ivec2 outputSize() const { return inputs_.outputSize; }
+  /// What the last frame was drawn from.
+  [[nodiscard]] const frame::FrameInputs& inputs() const { return inputs_; }
+  /// Whether the last frame was drawn as one after a cut.
+  [[nodiscard]] bool wasCut() const { return cut_; }
+  [[nodiscard]] const RendererSteps& steps() const { return steps_; }
+  /// Whether a fragment's place among those of its pixel may depend on how threads met.
+  [[nodiscard]] bool isRacy() const { return plan_.sorted() && plan_.sync == SyncMode::None; }
   [[nodiscard]] std::vector<frame::PassReport> report() const { return list_.report(inputs_); }
 
  private:
@@ -110,6 +131,9 @@ class FrameRenderer {
   bool prepared_ = false;
   bool historyUsable_ = false;
   bool transparencyShown_ = true;
+  bool cut_ = false;
+  bool unfinished_ = false;  ///< the last frame ended with an exception
+  RendererSteps steps_;
 };
 
 }  // namespace macula::passes

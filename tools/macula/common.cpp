@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/image/image.h"
+#include "engine/recording/reader.h"
 #include "engine/scene/load.h"
 
 namespace macula::tools {
@@ -68,10 +69,30 @@ LoadedScene loadForRendering(const std::string& nameOrPath,
   return loaded;
 }
 
+namespace {
+
+/// The camera of a recording as a path for other scenes, times and sizes.
+scene::CameraPath recordedPath(const std::string& folder) {
+  std::vector<scene::CameraKey> keys;
+  for (const recording::Frame& frame : recording::readRecording(folder).frames) {
+    if (!keys.empty() && frame.timeSeconds <= keys.back().time) continue;
+    keys.push_back({.time = frame.timeSeconds,
+                    .position = frame.camera.position,
+                    .target = frame.camera.target,
+                    .verticalFov = frame.camera.verticalFov,
+                    .cut = frame.cut});
+  }
+  if (keys.empty()) failInput("--camera: {}: no frame was recorded; record again", folder);
+  return scene::CameraPath(std::move(keys));
+}
+
+}  // namespace
+
 scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
   if (spec == "auto") return scene::autoOrbit(scene);
   if (spec != "scene") {
-    scene::CameraPath path = scene::readCameraPath(spec);
+    scene::CameraPath path =
+        recording::isRecording(spec) ? recordedPath(spec) : scene::readCameraPath(spec);
     path.fitPlanes(scene::boundsOf(scene));
     return path;
   }

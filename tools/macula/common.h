@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "engine/scene/camera_path.h"
@@ -15,6 +16,12 @@
 #include "passes/render_settings.h"
 
 namespace macula::tools {
+
+/// What was compared is not the same: one line, and exit status 1.
+class Difference : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// "1024x768". @throws InputError naming the option; sides from 1 to 16384
 [[nodiscard]] glm::ivec2 parseSize(const std::string& text);
@@ -37,7 +44,7 @@ struct LoadedScene {
 [[nodiscard]] LoadedScene loadForRendering(const std::string& nameOrPath,
                                            const passes::RenderSettings& settings);
 
-/// `auto`, `scene` or a path file.
+/// `auto`, `scene`, a path file or the folder of a recording.
 [[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);
 
 /// Adds `--json FILE`; `-` is standard output.

@@ -4,12 +4,14 @@
 #include <new>
 
 #include "commands.h"
+#include "common.h"
 #include "engine/core/error.h"
 #include "engine/settings/command_line.h"
 #include "macula_version.h"
 
 namespace {
 
+constexpr int kDifference = 1;
 constexpr int kBadInput = 2;  ///< what a user can mend
 constexpr int kFault = 3;     ///< a fault of Macula or of the driver
 
@@ -35,6 +37,9 @@ int main(int argc, char** argv) {
     macula::tools::addDevices(root);
     macula::settings::parseCommandLine(root, argc, argv);
     return 0;
+  } catch (const macula::tools::Difference& error) {
+    std::fprintf(stderr, "macula: %s\n", macula::oneLine(error.what()).c_str());
+    return kDifference;
   } catch (const macula::InputError& error) {
     std::fprintf(stderr, "macula: %s\n", error.what());
     return kBadInput;

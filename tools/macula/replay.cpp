@@ -17,10 +17,10 @@
 #include "engine/image/image.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
-#include "engine/measure/image_error.h"
 #include "engine/measure/run_record.h"
-#include "macula_version.h"
 #include "passes/frame_renderer.h"
+#include "replay_painter.h"
+#include "replay_recording.h"
 
 namespace macula::tools {
 namespace {
@@ -29,118 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-/// One renderer with the buffers that its images are read into.
-class Painter {
- public:
-  Painter(const passes::RenderSettings& settings, passes::Machine& machine,
-          const scene::GpuScene& gpu, glm::ivec2 size)
-      : renderer_(settings, machine), linearOut_(settings.tonemap.linearOut) {
-    renderer_.resize(size);
-    renderer_.setScene(gpu);
-    display_.width = linear_.width = size.x;
-    display_.height = linear_.height = size.y;
-    display_.channels = linear_.channels = 3;
-    linear_.linear = true;
-  }
-
-  passes::FrameResult draw(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
-                           bool cut) {
-    return renderer_.render(camera, gaze, cut);
-  }
-  void readBack() {
-    renderer_.readDisplay(display_.pixels);
-    if (linearOut_) renderer_.readLinear(linear_.pixels);
-  }
-  void write(const std::filesystem::path& folder, std::string_view stem, int index,
-             const std::string& format) const {
-    const auto path = folder / fmt::format("{}_{:05}.{}", stem, index, format);
-    if (format == "png") image::writePng(path, display_);
-    if (format == "exr") image::writeExr(path, linear_);
-  }
-
-  [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
-  [[nodiscard]] const image::Image8& display() const { return display_; }
-  [[nodiscard]] const image::ImageF& linear() const { return linear_; }
-
- private:
-  passes::FrameRenderer renderer_;
-  bool linearOut_;
-  image::Image8 display_;
-  image::ImageF linear_;
-};
-
-measure::FrameRecord recordOf(const passes::FrameResult& result,
-                              const gaze::PointOfInterest& point) {
-  measure::FrameRecord record;
-  record.gazeX = point.position.x;
-  record.gazeY = point.position.y;
-  record.rawX = point.raw.x;
-  record.rawY = point.raw.y;
-  record.gazeState = gaze::stateName(point.state);
-  record.gazeAgeSeconds = point.ageSeconds;
-  record.gazeRadius = point.radius;
-  record.gazeSaccade = point.saccade;
-  record.totalMs = result.totalMs;
-  for (const frame::PassTime& pass : result.passes) {
-    record.passMs.emplace_back(pass.name, pass.ms);
-  }
-  if (result.fragments) {
-    record.fragments =
-        measure::FragmentNumbers{result.fragments->generated, result.fragments->stored,
-                                 result.fragments->merged, result.fragments->lost};
-  }
-  if (result.layers) {
-    record.layers =
-        measure::LayerNumbers{result.layers->min, result.layers->max, result.layers->mean};
-  }
-  record.exact = result.exact;
-  return record;
-}
-
-void describeRun(measure::RunRecord& run, const ReplayOptions& options,
-                 const passes::Machine& machine, const passes::FrameRenderer& renderer,
-                 glm::ivec2 size) {
-  run.commit = MACULA_COMMIT;
-  run.scene = options.scene;
-  run.width = size.x;
-  run.height = size.y;
-  run.renderer = machine.capabilities.renderer;
-  run.version = machine.capabilities.version;
-  run.timeSource = gl::nameOf(machine.time.source);
-  run.method = options.settings.oit.method;
-  if (renderer.plan().method->insertion == passes::Insertion::Sorted) {
-    run.sync = passes::nameOf(renderer.plan().sync);
-  }
-  run.settings = options.registry.toJson();
-  const frame::ResourceBytes bytes = renderer.bytes();
-  run.oitBytes = bytes.oit;
-  run.budgetBytes = renderer.plan().budgetBytes;
-  run.overheadBytes = bytes.overhead;
-  run.gbufferBytes = bytes.gbuffer;
-  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
-    const auto resource = static_cast<frame::Resource>(i);
-    const frame::ByteClass kind = frame::infoOf(resource).bytes;
-    if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
-    const std::uint64_t own = renderer.resources().bytesOf(resource);
-    if (own > 0) run.transparencyBytes.emplace_back(frame::nameOf(resource), own);
-  }
-}
-
-/// Fills in what compares a frame with its reference.
-void compareWithReference(measure::FrameRecord& record, const Painter& reference,
-                          const Painter& test, const ReplayOptions& options,
-                          measure::FlickerMeter& flicker) {
-  measure::CompareOptions compare;
-  compare.hdr = options.hdr;
-  compare.pixelsPerDegree = options.pixelsPerDegree;
-  compare.gaze = glm::dvec2(record.gazeX, record.gazeY);
-  const image::ImageF wanted = measure::toDisplay(reference.linear());
-  const image::ImageF got = measure::toDisplay(test.linear());
-  record.error = options.hdr ? measure::compareImages(reference.linear(), test.linear(), compare)
-                             : measure::compareImages(wanted, got, compare);
-  record.flicker = flicker.next(wanted, got);
 }
 
 /// The same method with turns, to count a racy one's hazards against.
@@ -162,7 +50,9 @@ void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& re
 
 }  // namespace
 
-void replay(const ReplayOptions& options) {
+void replay(ReplayOptions& options) {
+  std::error_code error;
+  if (std::filesystem::is_directory(options.scene, error)) return replayRecording(options);
   const auto begin = Clock::now();
   const glm::ivec2 size = parseSize(options.size);
   makeOutputFolder(options.out);
@@ -239,7 +129,7 @@ void replay(const ReplayOptions& options) {
     progress.advance();
   }
 
-  describeRun(run, options, machine, painter.renderer(), size);
+  describeRun(run, options.scene, options, machine, painter.renderer(), size);
   const nlohmann::ordered_json report = measure::toJson(run);
   writeFileAtomically(std::filesystem::path(options.out) / "report.json", report.dump(2) + "\n");
   writeJson(options.json, report);

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/gaze/gaze_settings.h"
 #include "engine/measure/flip.h"
@@ -28,12 +29,14 @@ struct ReplayOptions {
   double fps = 60.0;
   int warmup = 3;
   double pixelsPerDegree = measure::kDefaultPixelsPerDegree;  ///< of FLIP and eccentricity
+  /// Options that were given and that a recording answers itself, as they are typed.
+  std::vector<std::string> answeredByRecording;
   passes::RenderSettings settings;
   gaze::GazeSettings gazeSettings;
   settings::Registry registry;
 };
 
-/// Draws the frames and writes images and report.
-void replay(const ReplayOptions& options);
+/// Draws the frames and writes images and report. A folder in place of a scene is a recording.
+void replay(ReplayOptions& options);
 
 }  // namespace macula::tools

@@ -1,10 +1,26 @@
 // The command line of `macula replay`.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "commands.h"
 #include "common.h"
 #include "engine/settings/command_line.h"
 #include "replay.h"
 
 namespace macula::tools {
+
+namespace {
+
+/// What can be asked of a recording; everything else it answers itself.
+bool goesWithRecording(const CLI::Option& option) {
+  constexpr std::array<std::string_view, 9> kNames{"scene",       "--out",  "--images",
+                                                   "--reference", "--hdr",  "--json",
+                                                   "--platform",  "--help", "--pixels-per-degree"};
+  return std::find(kNames.begin(), kNames.end(), option.get_name()) != kNames.end();
+}
+
+}  // namespace
 
 void addReplay(CLI::App& root) {
   constexpr int kMaxFrames = 1000000;
@@ -13,9 +29,13 @@ void addReplay(CLI::App& root) {
   gaze::registerSettings(o->registry, o->gazeSettings);
   CLI::App* command =
       root.add_subcommand("replay", "Headless, deterministic frames along a gaze log and a camera");
-  command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name")->required();
+  command
+      ->add_option("scene", o->scene,
+                   "File (.gltf, .glb), procedural name, or the folder of a recording")
+      ->required();
   command->add_option("--gaze", o->gaze, "center, x,y (0..1) or a log file (default center)");
-  command->add_option("--camera", o->camera, "auto, scene or a path file (default auto)");
+  command->add_option("--camera", o->camera,
+                      "auto, scene, a path file or a recording (default auto)");
   command->add_option("--frames", o->frames, "Number of frames (default 60)")
       ->check(CLI::Range(1, kMaxFrames));
   command->add_option("--size", o->size, "WIDTHxHEIGHT (default 1024x1024)");
@@ -38,6 +58,11 @@ void addReplay(CLI::App& root) {
   settings::addOptions(*command, o->registry);
   command->callback([o, command] {
     settings::applyOptions(*command, o->registry);
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->count() > 0 && !goesWithRecording(*option)) {
+        o->answeredByRecording.push_back(option->get_name());
+      }
+    }
     replay(*o);
   });
 }

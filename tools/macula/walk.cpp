@@ -25,6 +25,13 @@ void addWalk(CLI::App& root) {
   command->add_flag("--no-panels", o->hidePanels, "Begin with the panels hidden (F1 shows them)");
   command->add_option("--screenshot", o->screenshot, "Write the window after the last frame (PNG)")
       ->type_name("FILE.png");
+  CLI::Option* record =
+      command->add_option("--record", o->record, "Record the walk into this new folder")
+          ->type_name("DIR");
+  command
+      ->add_flag("--record-hashes", o->recordHashes,
+                 "Also the SHA-256 of each image, which a replay then compares")
+      ->needs(record);
   command
       ->add_option("--probe", o->probes,
                    "Report the mean k around this place, 0..1 from the top left; repeatable")

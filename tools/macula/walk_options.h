@@ -18,6 +18,8 @@ struct WalkOptions {
   bool hidePanels = false;          ///< at first; a key shows them
   std::string screenshot;           ///< PNG of the window after the last frame; empty: none
   std::string json;                 ///< numbers of the last frame; empty: none
+  std::string record;               ///< folder of a recording; empty: none
+  bool recordHashes = false;        ///< the recording holds an image hash of each frame
   std::vector<std::string> probes;  ///< "x,y", 0..1 of the window from the top left
   passes::RenderSettings settings;
   settings::Registry registry;

@@ -39,6 +39,9 @@ WalkSession::WalkSession(WalkOptions& options, window::Window& window, const sce
       panels_(options.registry, options.settings, options.scene),
       panelsShown_(!options.hidePanels) {
   renderer_.setScene(gpu);
+  if (!options.record.empty()) {
+    recorder_.emplace(recordStartOf(options, window), options.registry, machine_, renderer_);
+  }
 }
 
 void WalkSession::run() {
@@ -62,7 +65,8 @@ void WalkSession::frame() {
   steer(secondsBetween(last_, now));
   followPointer();
   last_ = now;
-  point_ = gaze_.at(std::chrono::duration<double>(now - begin_).count());
+  frameSeconds_ = std::chrono::duration<double>(now - begin_).count();
+  point_ = gaze_.at(frameSeconds_);
   draw();
   ++frames_;
   screen_.show(renderer_.resources().texture(frame::Resource::DisplayColor));
@@ -131,7 +135,11 @@ void WalkSession::followPointer() {
                       glm::all(glm::lessThanEqual(pointer, glm::vec2(1.0F)));
   // Until the pointer has been in the window, nobody can have meant anything by it.
   pointerSeen_ = pointerSeen_ || inside;
-  if (pointerSeen_) gaze_.move(pointer);
+  if (!pointerSeen_) return;
+  gaze_.move(pointer);
+  if (recorder_) {
+    recorder_->pointer(std::chrono::duration<double>(Clock::now() - begin_).count(), pointer);
+  }
 }
 
 void WalkSession::draw() {
@@ -147,6 +155,7 @@ void WalkSession::draw() {
     renderer_.resize(size_);
     result_ = renderer_.render(camera_.camera(), point_, true);
   }
+  if (recorder_) recorder_->frame({.timeSeconds = frameSeconds_}, renderer_);
   change_.reset();
   cut_ = false;
   panels_.add(result_);
@@ -166,6 +175,7 @@ void WalkSession::finish() {
 
 void walk(WalkOptions& options) {
   const glm::ivec2 size = parseSize(options.size);
+  if (!options.record.empty()) recording::makeRecordingFolder(options.record);
   std::vector<glm::vec2> probes;
   for (const std::string& probe : options.probes) probes.push_back(parsePlace("--probe", probe));
   window::Window window({.width = size.x,

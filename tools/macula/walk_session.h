@@ -15,6 +15,7 @@
 #include "walk_camera.h"
 #include "walk_options.h"
 #include "walk_panels.h"
+#include "walk_recorder.h"
 #include "walk_screen.h"
 
 namespace macula::tools {
@@ -48,6 +49,7 @@ class WalkSession {
   passes::Machine machine_;
   passes::FrameRenderer renderer_;
   Screen screen_;
+  std::optional<WalkRecorder> recorder_;
   FlyCamera camera_;
   WalkPanels panels_;
   gaze::MouseGaze gaze_;
@@ -58,6 +60,7 @@ class WalkSession {
   glm::vec2 lastPointer_{0.0F};  ///< while looking around, 0..1 of the window
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_ = begin_;
+  double frameSeconds_ = 0.0;  ///< time of the frame, since begin_
   int frames_ = 0;
   bool panelsShown_;
   bool looking_ = false;

@@ -1,0 +1,313 @@
+#!/usr/bin/env python3
+"""macula walk --record in a real window, and replay of what it recorded.
+
+usage: record_test.py PROGRAM
+
+Pointer, keys and the window's size are changed while the walk runs; what has been recorded so far
+says when, never a clock. Exit status 77: not run.
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+MACULA = sys.argv[1]
+
+for tool in ("Xvfb", "xdotool"):
+    if shutil.which(tool) is None:
+        print(f"skipped: {tool} is not installed (apt-get install xvfb xdotool)")
+        sys.exit(77)
+
+
+class Display:
+    """An X server without a screen that chose a free display itself."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "800x600x24", "-nolisten", "tcp",
+             "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as number:
+            os.environ["DISPLAY"] = ":" + number.readline().strip()
+        os.environ.pop("WAYLAND_DISPLAY", None)
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def xdotool(*words):
+    return subprocess.run(["xdotool", *map(str, words)], check=True, capture_output=True,
+                          text=True).stdout
+
+
+def lines_of(path):
+    """Whole lines; the one that is being written does not count."""
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as f:
+        return [line for line in f if line.endswith("\n")]
+
+
+class Walk:
+    """A walk that is recorded, steered from outside."""
+
+    def __init__(self, folder, scene, *options):
+        self.frames_file = os.path.join(folder, "frames.jsonl")
+        self.process = subprocess.Popen(
+            [MACULA, "walk", scene, "--record", folder, "--record-hashes", *options],
+            stderr=subprocess.PIPE, text=True)
+
+    def wait_for(self, frames):
+        """Until that many more frames are recorded."""
+        wanted = len(lines_of(self.frames_file)) + frames
+        while len(lines_of(self.frames_file)) < wanted:
+            assert self.process.poll() is None, self.process.stderr.read()
+            time.sleep(0.005)
+
+    def press(self, key):
+        """Down for two frames: one that came and went between two is not seen."""
+        xdotool("keydown", key)
+        self.wait_for(2)
+        xdotool("keyup", key)
+        self.wait_for(2)
+
+    def window(self):
+        return xdotool("search", "--name", "Macula: ").split()[0]
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+
+def replay(folder, out, *options, status=0):
+    done = subprocess.run([MACULA, "replay", folder, "--out", out, *options],
+                          capture_output=True, text=True)
+    assert done.returncode == status, (done.returncode, done.stderr)
+    assert status == 0 or done.stderr.count("\n") == 1, done.stderr
+    if status == 2:
+        return done.stderr
+    with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+        return json.load(f)
+
+
+def timeless(report):
+    for frame in report["frames"]:
+        del frame["ms"]
+    del report["summary"]["ms"], report["summary"]["load_ms"], report["summary"]["first_frame_ms"]
+    return report
+
+
+def check_equal(report, frames, truncated=0):
+    recording = report["recording"]
+    assert recording["frames"] == len(report["frames"]) == frames, recording
+    assert recording["truncated_lines"] == truncated, recording
+    assert recording["unrecorded_frames"] == 0, recording
+    assert recording["hashes_equal"] == recording["hashes_compared"] == frames, recording
+    assert recording["first_difference"] is None, recording
+
+
+def check_steered_and_killed(folder):
+    """Everything that a person does, then kill -9: what was drawn is there, and replays."""
+    record = os.path.join(folder, "steered")
+    xdotool("mousemove", 790, 590)  # outside the window
+    walk = Walk(record, "smoke", "--size", "320x240", "--method", "kb-variable", "--k-ave", "2",
+                "--no-panels")
+    walk.wait_for(4)
+    for x in range(40, 240, 40):
+        xdotool("mousemove", x, 120)
+        walk.wait_for(1)
+    walk.press("w")
+    walk.press("h")
+    xdotool("windowsize", walk.window(), 280, 200)
+    walk.wait_for(4)
+    walk.press("r")
+    for _ in range(3):  # after kb-variable comes the first of the table again
+        walk.press("m")
+    walk.kill()
+
+    frames = [json.loads(line) for line in lines_of(os.path.join(record, "frames.jsonl"))]
+    assert [f["index"] for f in frames] == list(range(len(frames)))
+    assert frames[0]["reset"] == "restart"
+    assert len({f["gaze"]["x"] for f in frames}) >= 4, "the pointer was followed"
+    assert {(f["width"], f["height"]) for f in frames} >= {(320, 240), (280, 200)}
+    assert len({json.dumps(f["camera"]) for f in frames}) >= 3, "w flew ahead"
+    assert sum(f["cut"] for f in frames) == 1, "r is a cut"
+    changed = [f for f in frames if "settings" in f]
+    methods = [f["settings"]["oit.method"] for f in changed if "oit.method" in f["settings"]]
+    assert methods == ["blend", "wboit", "peel"], methods
+    assert any("view.heatmap" in f["settings"] for f in changed)
+    assert all(f["reset"] == "history" for f in changed), "settings give up history"
+
+    # The pointer's place is written before the frame that uses it is drawn: rows without a frame
+    # count the frames that were lost.
+    rows = lines_of(os.path.join(record, "gaze_raw.csv"))
+    assert rows[0] == "time_s,x,y,valid,confidence,pupil_mm\n", rows[0]
+    seen = sum(f["gaze"]["state"] == "ok" for f in frames)
+    assert seen <= len(rows) - 1 <= seen + 1, (seen, len(rows) - 1)
+    info = subprocess.run([MACULA, "gaze", "info", os.path.join(record, "gaze_raw.csv"), "--json",
+                           "-"], check=True, capture_output=True, text=True)
+    assert json.loads(info.stdout)["samples"] == len(rows) - 1
+
+    out = os.path.join(folder, "out")
+    first = replay(record, out)
+    check_equal(first, len(frames))
+    for got, recorded in zip(first["frames"], frames):
+        assert got["time_s"] == recorded["time_s"]
+        assert got["image_sha256"] == recorded["image_sha256"]
+    assert len({f["image_sha256"] for f in first["frames"]}) > 8, "the walk showed something"
+    second = replay(record, os.path.join(folder, "again"), "--reference", "--images", "png")
+    assert os.path.exists(os.path.join(folder, "again", "frame_00000.png"))
+    check_equal(second, len(frames))
+    assert second["summary"]["error"]["rmse"] is not None
+    third = replay(record, out)
+    assert timeless(first) == timeless(third), "two replays differ"
+    return record, frames
+
+
+def check_camera(folder, record, frames):
+    """The camera and the gaze of a recording serve elsewhere."""
+    out = os.path.join(folder, "elsewhere")
+    options = ["--frames", "4", "--fps", str(4 / frames[-1]["time_s"]), "--size", "64x48", "--gaze",
+               os.path.join(record, "gaze_raw.csv")]
+
+    def images(camera):
+        subprocess.run([MACULA, "replay", "smoke", "--camera", camera, "--out", out, *options],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+            return [frame["image_sha256"] for frame in json.load(f)["frames"]]
+
+    flown = images(record)
+    assert len(set(flown)) > 1 and flown != images("scene"), "the camera moved"
+
+
+def check_refused_change(folder):
+    """A change that the renderer refuses leaves nothing behind that a replay would not know."""
+    record = os.path.join(folder, "refused")
+    walk = Walk(record, "layers-12", "--size", "160x120", "--method", "ab-sbuffer", "--k-ave",
+                "0.5", "--no-panels", "--set", "importance.noisePerFrame=on")
+    walk.wait_for(3)
+    xdotool("mousemove", 80, 60)
+    walk.press("m")  # kb-racy cuts half a layer for each sample
+    walk.press("m")
+    walk.kill()
+    frames = [json.loads(line) for line in lines_of(os.path.join(record, "frames.jsonl"))]
+    restarts = [f["index"] for f in frames if f["reset"] == "restart"]
+    assert len(restarts) == 3 and restarts[0] == 0, restarts
+    assert not any("settings" in f for f in frames), "refused values were taken back"
+    check_equal(replay(record, os.path.join(folder, "out")), len(frames))
+
+
+def check_cut_off(folder, record, frames):
+    """The line that was being written is dropped and counted; a changed line is an error."""
+    cut = os.path.join(folder, "cut")
+    shutil.copytree(record, cut)
+    path = os.path.join(cut, "frames.jsonl")
+    with open(path, "rb+") as f:
+        text = f.read()
+        f.truncate(len(text) - 40)
+    check_equal(replay(cut, os.path.join(folder, "out")), len(frames) - 1, truncated=1)
+
+    lines = text.decode().splitlines(keepends=True)
+    sha = frames[3]["image_sha256"]
+    lines[3] = lines[3].replace(sha, "0" * 64)
+    with open(path, "w", encoding="utf-8") as f:
+        f.writelines(lines)
+    report = replay(cut, os.path.join(folder, "out"), status=1)
+    assert report["recording"]["first_difference"] == 3, report["recording"]
+    assert report["recording"]["hashes_equal"] == len(frames) - 1, report["recording"]
+
+    lines[5] = lines[5].replace('"cut"', '"cutt"')
+    with open(path, "w", encoding="utf-8") as f:
+        f.writelines(lines)
+    out = os.path.join(folder, "nothing")
+    message = replay(cut, out, status=2)
+    assert f"{path}: line 6: 'cut' is missing" in message, message
+    assert not os.path.exists(out), "nothing half-written"
+
+
+def check_refusals(folder, record):
+    out = os.path.join(folder, "nothing")
+    message = replay(record, out, "--method", "blend", status=2)
+    assert "--method" in message or "oit.method" in message, message
+    assert "--frames" in replay(record, out, "--frames", "3", status=2)
+    assert "session.json" in replay(folder, out, status=2)
+    done = subprocess.run([MACULA, "walk", "smoke", "--record", record], capture_output=True,
+                          text=True)
+    assert done.returncode == 2 and "holds a recording already" in done.stderr, done.stderr
+    done = subprocess.run([MACULA, "walk", "smoke", "--record-hashes"], capture_output=True,
+                          text=True)
+    assert done.returncode == 2, done.stderr
+
+
+def check_scene_file(folder):
+    """A file that has changed since is named; a walk that ends by itself is a recording as well."""
+    scene = os.path.join(folder, "four layers.glb")
+    subprocess.run([MACULA, "scene", "make", "layers-4", "--out", scene], check=True,
+                   stdout=subprocess.DEVNULL)
+    record = os.path.join(folder, "of a file")
+    walk = Walk(record, scene, "--size", "96x64", "--frames", "5")
+    assert walk.process.wait() == 0, walk.process.stderr.read()
+    check_equal(replay(record, os.path.join(folder, "out")), 5)
+    with open(scene, "ab") as f:
+        f.write(b"\0")
+    message = replay(record, os.path.join(folder, "out"), status=2)
+    assert scene in message and "no longer the file of the recording" in message, message
+
+
+def check_scene_change(folder):
+    """Two recordings, one after the other, are one in which the scene changes."""
+    records = []
+    for scene in ("layers-12", "smoke"):
+        record = os.path.join(folder, "first " + scene)
+        walk = Walk(record, scene, "--size", "96x64", "--frames", "4", "--no-panels")
+        assert walk.process.wait() == 0, walk.process.stderr.read()
+        records.append(record)
+    path = os.path.join(records[0], "frames.jsonl")
+    frames = [json.loads(line) for line in lines_of(path)]
+    for line in lines_of(os.path.join(records[1], "frames.jsonl")):
+        frame = json.loads(line)
+        if frame["index"] == 0:
+            frame["reset"] = "scene"
+            frame["scene"] = {"name": "smoke", "file": None, "sha256": None}
+        frame["index"] = len(frames)
+        frame["settings"] = {"walk.only": 1}  # what no image depends on
+        frames.append(frame)
+
+    def write():
+        with open(path, "w", encoding="utf-8") as f:
+            f.writelines(json.dumps(frame) + "\n" for frame in frames)
+
+    write()
+    out = os.path.join(folder, "out")
+    done = subprocess.run([MACULA, "replay", records[0], "--out", out], capture_output=True,
+                          text=True)
+    assert done.returncode == 0 and done.stderr.count("'walk.only' is not known") == 1, done.stderr
+    with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+        check_equal(json.load(f), len(frames))
+
+    frames[6]["r"] = 1.5
+    write()
+    message = replay(records[0], out, status=2)
+    assert "line 7: shading at r = 1.5" in message, message
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder, Display():
+        record, frames = check_steered_and_killed(folder)
+        check_camera(folder, record, frames)
+        check_refused_change(folder)
+        check_cut_off(folder, record, frames)
+        check_refusals(folder, record)
+        check_scene_file(folder)
+        check_scene_change(folder)
+    print(f"record: all checks passed, {len(frames)} steered frames")
+
+
+main()

@@ -1,0 +1,78 @@
+// What every replay draws with: a renderer with its images, and the records of its frames.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+#include "engine/image/image.h"
+#include "engine/measure/flicker.h"
+#include "engine/measure/run_record.h"
+#include "engine/scene/gpu_scene.h"
+#include "passes/frame_renderer.h"
+#include "passes/machine.h"
+#include "replay.h"
+
+namespace macula::tools {
+
+/// One renderer with the buffers that its images are read into.
+class Painter {
+ public:
+  Painter(const passes::RenderSettings& settings, passes::Machine& machine,
+          const scene::GpuScene& gpu, glm::ivec2 size)
+      : renderer_(settings, machine), linearOut_(settings.tonemap.linearOut) {
+    resize(size);
+    renderer_.setScene(gpu);
+    display_.channels = linear_.channels = 3;
+    linear_.linear = true;
+  }
+
+  passes::FrameResult draw(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
+                           bool cut) {
+    return renderer_.render(camera, gaze, cut);
+  }
+  void readBack() {
+    renderer_.readDisplay(display_.pixels);
+    if (linearOut_) renderer_.readLinear(linear_.pixels);
+  }
+  /// Writes FOLDER/STEM_INDEX.png or .exr.
+  void write(const std::filesystem::path& folder, std::string_view stem, int index,
+             const std::string& format) const;
+  /// Pixels of the following frames. Invalidates history.
+  void resize(glm::ivec2 size) {
+    renderer_.resize(size);
+    display_.width = linear_.width = size.x;
+    display_.height = linear_.height = size.y;
+  }
+  void setScene(const scene::GpuScene& gpu) { renderer_.setScene(gpu); }
+  void restart() { renderer_.restart(); }
+
+  [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
+  [[nodiscard]] const image::Image8& display() const { return display_; }
+  [[nodiscard]] const image::ImageF& linear() const { return linear_; }
+
+ private:
+  passes::FrameRenderer renderer_;
+  bool linearOut_;
+  image::Image8 display_;
+  image::ImageF linear_;
+};
+
+/// The numbers of a frame, its index, time and image aside.
+[[nodiscard]] measure::FrameRecord recordOf(const passes::FrameResult& result,
+                                            const gaze::PointOfInterest& point);
+
+/// Fills in what does not change from frame to frame.
+/// @param scene as the report names it
+/// @param size of the images, pixels
+void describeRun(measure::RunRecord& run, const std::string& scene, const ReplayOptions& options,
+                 const passes::Machine& machine, const passes::FrameRenderer& renderer,
+                 glm::ivec2 size);
+
+/// Fills in what compares a frame with its reference.
+void compareWithReference(measure::FrameRecord& record, const Painter& reference,
+                          const Painter& test, const ReplayOptions& options,
+                          measure::FlickerMeter& flicker);
+
+}  // namespace macula::tools

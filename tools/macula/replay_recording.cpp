@@ -1,0 +1,233 @@
+#include "replay_recording.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+
+#include "common.h"
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/core/sha256.h"
+#include "engine/recording/reader.h"
+#include "engine/recording/scene_source.h"
+#include "replay_painter.h"
+
+namespace macula::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using recording::Reset;
+
+double millisecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// How the images compare with the recorded hashes.
+struct HashCount {
+  std::size_t compared = 0;
+  std::size_t equal = 0;
+  std::optional<std::uint64_t> firstDifference;  ///< index of the frame
+};
+
+/// Draws the frames of a recording in their order.
+class Session {
+ public:
+  Session(ReplayOptions& options, const recording::Recording& recording);
+
+  void draw(const recording::Frame& frame);
+  /// Writes the report. @throws Difference where images differ
+  void finish();
+
+ private:
+  void apply(const recording::Settings& settings);
+  void loadScene(const recording::SceneSource& source);
+  void follow(const recording::Frame& frame);
+  void compareHash(const recording::Frame& frame, const passes::FrameResult& result,
+                   const std::string& sha256);
+  template <typename Function>
+  void forEachPainter(const Function& function) {
+    function(*painter_);
+    if (reference_) function(*reference_);
+  }
+
+  ReplayOptions& options_;
+  const recording::Recording& recording_;
+  Clock::time_point begin_ = Clock::now();
+  passes::RenderSettings referenceSettings_;
+  measure::RunRecord run_;
+  window::HeadlessContext context_;
+  passes::Machine machine_;
+  std::unique_ptr<scene::GpuScene> gpu_;
+  std::optional<Painter> painter_;
+  std::optional<Painter> reference_;
+  std::optional<measure::FlickerMeter> flicker_;
+  HashCount hashes_;
+  std::uint64_t unrecorded_ = 0;
+  std::set<std::string> unknown_;  ///< settings that were left out
+};
+
+Session::Session(ReplayOptions& options, const recording::Recording& recording)
+    : options_(options), recording_(recording), context_(platformOf(options.platform)) {
+  options.settings.tonemap.linearOut = options.reference || options.images == "exr";
+  apply(recording.session.settings);
+  if (!recording.session.environmentSha256.empty()) {
+    recording::checkFile(options.settings.environment, recording.session.environmentSha256);
+  }
+  loadScene(recording.session.scene);
+}
+
+void Session::apply(const recording::Settings& settings) {
+  const auto where = fmt::format("{}: the recording", options_.scene);
+  for (const auto& [key, value] : settings) {
+    if (settings::Entry* entry = options_.registry.find(key)) {
+      entry->set(value, where);
+    } else if (unknown_.insert(key).second) {
+      // A walk may have settings of its own, such as those of a tracker, that no image depends on.
+      fmt::print(stderr, "warning: {}: the setting '{}' is not known to replay and left out\n",
+                 options_.scene, oneLine(key));
+    }
+  }
+  referenceSettings_ = passes::referenceOf(options_.settings);
+}
+
+void Session::loadScene(const recording::SceneSource& source) {
+  const LoadedScene loaded = loadForRendering(recording::checkedScene(source), options_.settings);
+  for (const std::string& warning : loaded.scene.warnings) {
+    fmt::print(stderr, "warning: {}\n", oneLine(warning));
+  }
+  run_.loadMs += loaded.loadMs;
+  auto gpu = std::make_unique<scene::GpuScene>(loaded.scene,
+                                               loaded.environment ? &*loaded.environment : nullptr);
+  if (painter_) forEachPainter([&](Painter& painter) { painter.setScene(*gpu); });
+  gpu_ = std::move(gpu);
+}
+
+void Session::follow(const recording::Frame& frame) {
+  apply(frame.settings);
+  if (!frame.scene.name.empty()) loadScene(frame.scene);
+  if (!painter_) {
+    painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
+    if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
+  }
+  if (frame.reset == Reset::None) return;
+  const glm::ivec2 before = painter_->renderer().outputSize();
+  forEachPainter([&](Painter& painter) {
+    if (frame.reset == Reset::Scene) painter.setScene(*gpu_);
+    if (frame.reset == Reset::Restart) painter.restart();
+    painter.resize(frame.size);
+  });
+  if (frame.size != before || !flicker_) flicker_.emplace();
+}
+
+void Session::draw(const recording::Frame& frame) {
+  follow(frame);
+  unrecorded_ += frame.unrecorded;
+  const passes::FrameResult result = painter_->draw(frame.camera, frame.gaze, frame.cut);
+  if (run_.firstFrameMs == 0.0) run_.firstFrameMs = millisecondsSince(begin_);
+  measure::FrameRecord record = recordOf(result, frame.gaze);
+  painter_->readBack();
+  record.index = static_cast<int>(frame.index);
+  record.timeSeconds = frame.timeSeconds;
+  record.resizeFactor = frame.r;
+  record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
+  compareHash(frame, result, record.imageSha256);
+  if (!options_.images.empty()) {
+    painter_->write(options_.out, "frame", record.index, options_.images);
+  }
+  if (reference_) {
+    reference_->draw(frame.camera, frame.gaze, frame.cut);
+    reference_->readBack();
+    compareWithReference(record, *reference_, *painter_, options_, *flicker_);
+    if (!options_.images.empty()) {
+      reference_->write(options_.out, "reference", record.index, options_.images);
+    }
+  }
+  run_.frames.push_back(std::move(record));
+}
+
+void Session::compareHash(const recording::Frame& frame, const passes::FrameResult& result,
+                          const std::string& sha256) {
+  const bool overflowed =
+      painter_->renderer().plan().method->grows() && result.fragments && result.fragments->lost > 0;
+  // These differ from run to run, and say so.
+  if (frame.imageSha256.empty() || painter_->renderer().isRacy() || overflowed) return;
+  ++hashes_.compared;
+  if (sha256 == frame.imageSha256) {
+    ++hashes_.equal;
+  } else if (!hashes_.firstDifference) {
+    hashes_.firstDifference = frame.index;
+  }
+}
+
+void Session::finish() {
+  const recording::Session& session = recording_.session;
+  describeRun(run_, session.scene.name, options_, machine_, painter_->renderer(),
+              painter_->renderer().outputSize());
+  nlohmann::ordered_json report = measure::toJson(run_);
+  report["recording"] = {
+      {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
+      {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},
+      {"hashes_equal", hashes_.equal},      {"first_difference", nullptr}};
+  if (hashes_.firstDifference) report["recording"]["first_difference"] = *hashes_.firstDifference;
+  const auto file = std::filesystem::path(options_.out) / "report.json";
+  writeFileAtomically(file, report.dump(2) + "\n");
+  writeJson(options_.json, report);
+  if (options_.json != "-") {
+    fmt::print("{} frames of {} as recorded: median {:.2f} ms; {} of {} image hashes equal\n",
+               recording_.frames.size(), oneLine(session.scene.name),
+               report["summary"]["ms"]["median"].get<double>(), hashes_.equal, hashes_.compared);
+    fmt::print("report: {}\n", file.string());
+  }
+  if (!hashes_.firstDifference) return;
+  throw Difference(fmt::format(
+      "{}: frame {} is the first of {} whose image is not the recorded one (recorded by {} on {}, "
+      "{}{})",
+      options_.scene, *hashes_.firstDifference, hashes_.compared - hashes_.equal, session.commit,
+      session.renderer, session.version,
+      unrecorded_ > 0 ? fmt::format("; {} frames were drawn unrecorded", unrecorded_) : ""));
+}
+
+/// Refuses what this program cannot do again.
+void checkLevers(const recording::Recording& recording, const std::string& folder) {
+  for (const recording::Frame& frame : recording.frames) {
+    if (frame.r == 1.0 && frame.levers.empty()) continue;
+    failInput(
+        "{}: line {}: shading at r = {} with {} other levers is not known to this program; "
+        "replay it with the one that recorded it, {}",
+        (std::filesystem::path(folder) / recording::kFramesFile).string(), frame.index + 1, frame.r,
+        frame.levers.size(), recording.session.commit);
+  }
+}
+
+}  // namespace
+
+void replayRecording(ReplayOptions& options) {
+  if (!recording::isRecording(options.scene)) {
+    failInput("{}: is a folder without {}; name a scene, or a folder that walk --record made",
+              options.scene, recording::kSessionFile);
+  }
+  if (!options.answeredByRecording.empty()) {
+    failInput("{}: a recording brings its own {}; leave it out, or name a scene", options.scene,
+              options.answeredByRecording.front());
+  }
+  const recording::Recording recording = recording::readRecording(options.scene);
+  if (recording.frames.empty()) {
+    failInput("{}: no frame was recorded; record again",
+              (std::filesystem::path(options.scene) / recording::kFramesFile).string());
+  }
+  checkLevers(recording, options.scene);
+  makeOutputFolder(options.out);
+  Session session(options, recording);
+  ProgressBar progress("replay", static_cast<int>(recording.frames.size()));
+  for (const recording::Frame& frame : recording.frames) {
+    session.draw(frame);
+    progress.advance();
+  }
+  session.finish();
+}
+
+}  // namespace macula::tools

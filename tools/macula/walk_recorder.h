@@ -1,0 +1,74 @@
+// Records a walk: watches the renderer, so that nothing that was done to it is missed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/recording/writer.h"
+#include "engine/settings/registry.h"
+#include "engine/window/window.h"
+#include "passes/frame_renderer.h"
+#include "passes/machine.h"
+#include "walk_options.h"
+
+namespace macula::tools {
+
+/// What a recording begins with, beside settings and machine.
+struct RecordStart {
+  std::filesystem::path folder;
+  bool hashes = false;                                       ///< an image hash for each frame
+  recording::SceneSource scene;                              ///< that the renderer draws
+  glm::vec2 contentScale{1.0F};                              ///< of the window
+  std::vector<std::pair<std::string, std::string>> options;  ///< of the command, by name
+};
+
+/// From the options of a walk. @throws InputError where the scene's file cannot be read
+[[nodiscard]] RecordStart recordStartOf(const WalkOptions& options, const window::Window& window);
+
+/// What a renderer does not know about a frame that it has drawn.
+struct FrameEvents {
+  double timeSeconds = 0.0;  ///< of the frame, since the session's start
+  /// Where another scene was set since the last frame: which.
+  const recording::SceneSource* scene = nullptr;
+  double r = 1.0;                                           ///< resize factor of the shading
+  std::vector<std::pair<std::string, double>> levers = {};  ///< that a controller set, beside r
+};
+
+class WalkRecorder {
+ public:
+  /// Writes the session and lets the renderer begin anew, so that a recording may begin at any
+  /// time; readDisplay() has nothing to read until the next frame.
+  /// @param registry of the renderer's settings; must outlive the recorder
+  /// @throws InputError where the folder holds a recording or cannot be written
+  WalkRecorder(const RecordStart& start, const settings::Registry& registry,
+               const passes::Machine& machine, passes::FrameRenderer& renderer);
+
+  /// To be called after each frame of that renderer. Images that are drawn beside the walk belong
+  /// to a renderer of their own: frames in between are noticed, but cannot be replayed.
+  void frame(const FrameEvents& events, const passes::FrameRenderer& renderer);
+  /// To be called for each sample of the gaze as it came.
+  /// @param sample its time is that since the session's start
+  void raw(const gaze::GazeSample& sample) { writer_.raw(sample); }
+  /// The same for a place of the pointer, which counts as a valid sample wherever it is.
+  /// @param place 0..1 of the window from the top left
+  void pointer(double timeSeconds, const glm::dvec2& place);
+
+  [[nodiscard]] std::uint64_t frames() const { return frame_.index; }
+
+ private:
+  void noteSettings();
+  void noteSteps(const passes::RendererSteps& steps);
+
+  const settings::Registry& registry_;
+  bool hashes_;
+  std::vector<settings::Value> values_;  ///< of the registry's entries, at the last frame
+  recording::RecordingWriter writer_;
+  passes::RendererSteps steps_;  ///< at the last frame
+  recording::Frame frame_;
+  std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace macula::tools
