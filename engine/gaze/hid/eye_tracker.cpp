@@ -140,6 +140,10 @@ class EyeTracker::Thread {
     bool exchangeDone = false;
     Exchange::Outcome known;
     while (!stop_) {
+      std::size_t length = 0;
+      const HidrawLink::Read read = link.read(buffer_, length, kReadTimeoutMs);
+      const double now = hostSeconds();
+      // Before the report is looked at: the first one may follow the answers at once.
       if (!exchangeDone) {
         const Exchange::Outcome outcome = exchange.outcome();
         exchangeDone = outcome.done;
@@ -149,9 +153,6 @@ class EyeTracker::Thread {
           known = outcome;
         }
       }
-      std::size_t length = 0;
-      const HidrawLink::Read read = link.read(buffer_, length, kReadTimeoutMs);
-      const double now = hostSeconds();
       if (read == HidrawLink::Read::Gone) {
         setMessage(Connection::Unplugged, "unplugged; it is looked for");
         return;
