@@ -18,7 +18,8 @@ struct Scalar {
   std::uint32_t bit = 0;   ///< from the report's first bit, its id byte included
   std::uint32_t bits = 0;  ///< 1..64, little-endian
   bool isSigned = false;
-  std::optional<Bounds> range;  ///< of the raw number; one outside it is null (6.2.2.5)
+  /// Of the raw number; one outside it is null (6.2.2.5).
+  std::optional<Bounds> range = std::nullopt;
   double scale = 1.0;           ///< value = raw * scale + offset
   double offset = 0.0;
 

@@ -1,6 +1,7 @@
 #include "engine/gaze/hid/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace macula::gaze::hid {
@@ -55,7 +56,8 @@ std::optional<double> readScalar(const Scalar& scalar, std::span<const std::uint
   const double number = scalar.isSigned || scalar.bits < 64
                             ? static_cast<double>(raw)
                             : static_cast<double>(static_cast<std::uint64_t>(raw));
-  return number * scalar.scale + scalar.offset;
+  const double value = number * scalar.scale + scalar.offset;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 void writeRaw(const Scalar& scalar, std::uint64_t raw, std::span<std::uint8_t> bytes) {
@@ -93,13 +95,16 @@ HidGazeReport ReportDecoder::decodeGaze(std::span<const std::uint8_t> bytes) con
   gaze.rightEyeMm = readTriple(layout.rightEye, bytes);
   const auto x = readScalar(layout.x, bytes);
   const auto y = readScalar(layout.y, bytes);
-  if (x && y && layout.shares) {
-    gaze.position = {*x, *y};
-  } else if (x && y && screenMm_) {
-    gaze.position = glm::dvec2{*x, *y} / *screenMm_;
+  if (x && y && (layout.shares || screenMm_)) {
+    gaze.position = glm::dvec2{*x, *y};
+    if (!layout.shares) gaze.position /= *screenMm_;
+  }
+  // Far beyond any display, but still no number that anything downstream could trip over.
+  if (!std::isfinite(gaze.position.x) || !std::isfinite(gaze.position.y)) {
+    gaze.position = kNoPosition;
   }
   const bool flagged = layout.validity && !readScalar(*layout.validity, bytes);
-  gaze.valid = !flagged && gaze.position == gaze.position;  // NaN differs from itself
+  gaze.valid = !flagged && std::isfinite(gaze.position.x);
   return gaze;
 }
 
