@@ -317,6 +317,25 @@ void denied() {
   check(status == 0, "as another user");
 }
 
+/// A device that does not speak page 0x12, read by the example profile.
+void profile() {
+  DeviceProcess device(devicePath);
+  device.obey("create A vendor all");
+  TrackerChoice choice;
+  choice.profile = readProfile("/assets/trackers/example.toml");
+  Watched watched(choice);
+  device.obey("await-mode");
+  check(listTrackers().empty(), "it is no tracker of page 0x12");
+  device.obey("stream 250 500 432");
+  watched.untilSamples(500);
+  for (std::size_t i = 0; i < 500; ++i) {
+    const HidSample& sample = watched.samples[i];
+    check(sample.valid && std::abs(sample.position.x - double(i) / 4.0 / 1920.0) < 1e-9 &&
+              std::abs(sample.position.y - 0.1) < 1e-9,
+          "sample " + std::to_string(i));
+  }
+}
+
 void two() {
   DeviceProcess first(devicePath);
   DeviceProcess second(devicePath);
@@ -344,9 +363,9 @@ void two() {
 
 int main(int argc, char** argv) {
   const std::map<std::string, void (*)()> scenarios{
-      {"rate250", rate250},  {"rate1000", rate1000}, {"replug", replug},
-      {"blink", blink},      {"garbage", garbage},   {"mute-mode", muteMode},
-      {"mute-all", muteAll}, {"denied", denied},     {"two", two}};
+      {"rate250", rate250}, {"rate1000", rate1000},  {"replug", replug},    {"blink", blink},
+      {"garbage", garbage}, {"mute-mode", muteMode}, {"mute-all", muteAll}, {"denied", denied},
+      {"two", two},         {"profile", profile}};
   const auto scenario = argc == 3 ? scenarios.find(argv[1]) : scenarios.end();
   if (scenario == scenarios.end()) {
     std::printf("usage: hid_probe SCENARIO UHID_TRACKER\n");

@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 probe=$1 tracker=$2 guest_exit=$3 work=$4
 shift 4
 scenarios=("$@")
-((${#scenarios[@]})) || scenarios=(rate250 rate1000 replug blink garbage mute-mode mute-all denied two)
+((${#scenarios[@]})) || scenarios=(rate250 rate1000 replug blink garbage mute-mode mute-all denied two profile)
 
 passed_status=67 # 2 * 33 + 1, see guest_init.sh
 limit_seconds=300
@@ -45,6 +45,8 @@ image=$(find "$kernel/boot" -name 'vmlinuz-*' | head -1)
 root=$work/root
 rm -rf "$root"
 mkdir -p "$root"/{bin,dev,proc,sys,modules,tmp}
+mkdir -p "$root/assets"
+cp -r "$here/../../assets/trackers" "$root/assets/"
 chmod 755 "$root"
 cp "$busybox" "$root/bin/busybox"
 for module in hid hid-generic uhid; do

@@ -1,7 +1,8 @@
 // uhid_tracker: a virtual eye tracker for tests, driven by lines on standard input. Needs
 // /dev/uhid.
 //
-//   create SERIAL VARIANT ANSWERS   plugs it in; VARIANT bytes | wide; ANSWERS all | get | none
+//   create SERIAL VARIANT ANSWERS   plugs it in; VARIANT bytes | wide | vendor (see
+//                                   assets/trackers/example.toml); ANSWERS all | get | none
 //   await-open · await-mode         until a program has it open, has set its mode
 //   stream HZ COUNT Y               COUNT gaze reports; report i looks at (10 i, Y) micrometres
 //   blink COUNT                     as many reports with INT32_MAX in place of the gaze
@@ -81,6 +82,12 @@ class Tracker {
     DeviceSettings settings;
     settings.serial = serial;
     settings.descriptor = trackerDescriptor(variant_);
+    vendor_ = variant == "vendor";
+    if (vendor_) {
+      settings.vendorId = 0x1234;
+      settings.productId = 0xABCD;
+      settings.descriptor = vendorDescriptor();
+    }
     settings.configuration = configurationReport(kWidth, kHeight);
     settings.answersGet = answers != "none";
     settings.answersSet = answers == "all";
@@ -108,7 +115,9 @@ class Tracker {
     for (std::int64_t i = 0; i < count; ++i) {
       sleepUntil(next);
       const std::int64_t time = now();
-      device_->send(gazeReport(variant_, static_cast<std::uint64_t>(time / 1000), kStep * i, y));
+      const auto microseconds = static_cast<std::uint64_t>(time / 1000);
+      device_->send(vendor_ ? vendorReport(microseconds, i, y)
+                            : gazeReport(variant_, microseconds, kStep * i, y));
       next = time - next > kLatePeriods * period ? time + period : next + period;
     }
     return "ok";
@@ -156,7 +165,27 @@ class Tracker {
     return "ok " + std::to_string(static_cast<double>(time) / kNanosecond);
   }
 
+  /// Report 5 of the example profile: 64 bits of microseconds, then quarter pixels.
+  static std::vector<std::uint8_t> vendorReport(std::uint64_t time, std::int64_t i,
+                                                std::int64_t y) {
+    std::vector<std::uint8_t> bytes{5};
+    append(bytes, time, 8);
+    append(bytes, static_cast<std::uint64_t>(i), 2);
+    append(bytes, static_cast<std::uint64_t>(y), 2);
+    bytes.resize(20);
+    return bytes;
+  }
+
+  static std::vector<std::uint8_t> vendorDescriptor() {
+    DescriptorBuilder d;
+    d.usagePage(0xFF00).usage(1).collection(1).logical(0, 255);
+    d.reportId(5).usage(2).array(8, 19).input(kDataVariable);
+    d.reportId(0x14).usage(3).array(8, 1).feature(kDataVariable);
+    return d.end().bytes();
+  }
+
   TrackerVariant variant_;
+  bool vendor_ = false;
   std::unique_ptr<UhidDevice> device_;
 };
 

@@ -85,13 +85,35 @@ class EyeTracker::Thread {
     setMessage(Connection::Searching, fmt::format("no eye tracker ({})", choice_.text()));
     while (!stop_) {
       const std::vector<TrackerInfo> found = findDevices(choice_);
-      if (!found.empty()) {
-        attempt(found.front());
-      } else if (status().connection != Connection::Unplugged) {
+      if (const TrackerInfo* best = choose(found)) {
+        attempt(*best);
+      } else if (connection_ != Connection::Unplugged) {
         setMessage(Connection::Searching, fmt::format("no eye tracker ({})", choice_.text()));
       }
       std::unique_lock lock(stopMutex_);
       stopped_.wait_for(lock, kSearchPeriod, [this] { return stop_.load(); });
+    }
+  }
+
+  /// The first that this user may open, else the first, so that the refusal is told.
+  [[nodiscard]] const TrackerInfo* choose(const std::vector<TrackerInfo>& found) const {
+    const TrackerInfo* first = nullptr;
+    for (const TrackerInfo& info : found) {
+      if (choice_.profile && !sendsGazeReport(info)) continue;
+      if (info.accessible) return &info;
+      if (first == nullptr) first = &info;
+    }
+    return first;
+  }
+
+  /// A vendor's device may have several interfaces; the profile's report comes from one of them.
+  [[nodiscard]] bool sendsGazeReport(const TrackerInfo& info) const {
+    const GazeReportLayout& gaze = choice_.profile->layout.gaze;
+    try {
+      const Descriptor descriptor = parseDescriptor(readReportDescriptor(info.path), info.path);
+      return descriptor.reportBytes(ReportKind::Input, gaze.reportId) > 0;
+    } catch (const InputError&) {
+      return true;  // a profile may be there because the descriptor is no good
     }
   }
 
