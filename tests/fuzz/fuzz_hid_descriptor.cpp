@@ -33,8 +33,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Descriptor descriptor = parseDescriptor({data, size}, "fuzz");
     require(descriptor.fields.size() <= kMaxFields);
     require(descriptor.collections.size() <= kMaxDescriptorBytes);
+    const Field* last = nullptr;
+    std::size_t bytes = 0;
     for (const Field& field : descriptor.fields) {
-      const std::size_t bytes = descriptor.reportBytes(field.kind, field.reportId);
+      if (last == nullptr || last->kind != field.kind || last->reportId != field.reportId) {
+        bytes = descriptor.reportBytes(field.kind, field.reportId);
+      }
+      last = &field;
       const std::size_t end = std::size_t{field.bitOffset} + field.bitSize;
       require(field.bitSize > 0 && end + (descriptor.numbered ? 8 : 0) <= bytes * 8);
       require(bytes <= kMaxReportBytes + 1);
@@ -44,13 +49,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(descriptor.collections[i].parent < static_cast<std::int32_t>(i));
     }
     const TrackerLayout layout = layoutOf(descriptor, "fuzz");
-    const std::size_t bytes = layout.gaze.bytes;
-    requireWithin(layout.gaze.x, bytes);
-    requireWithin(layout.gaze.y, bytes);
-    if (layout.gaze.timestamp) requireWithin(*layout.gaze.timestamp, bytes);
+    const std::size_t gazeBytes = layout.gaze.bytes;
+    requireWithin(layout.gaze.x, gazeBytes);
+    requireWithin(layout.gaze.y, gazeBytes);
+    if (layout.gaze.timestamp) requireWithin(*layout.gaze.timestamp, gazeBytes);
     for (const auto& eye : {layout.gaze.leftEye, layout.gaze.rightEye}) {
       if (!eye) continue;
-      for (const Scalar& axis : *eye) requireWithin(axis, bytes);
+      for (const Scalar& axis : *eye) requireWithin(axis, gazeBytes);
     }
     requireWithin(layout.status);
     requireWithin(layout.samplingHz);

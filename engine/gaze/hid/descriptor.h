@@ -15,7 +15,7 @@ namespace macula::gaze::hid {
 /// own (HID_MAX_DESCRIPTOR_SIZE, HID_MAX_BUFFER_SIZE): nothing beyond them can arrive.
 inline constexpr std::size_t kMaxDescriptorBytes = 4096;
 inline constexpr std::size_t kMaxReportBytes = 16384;
-inline constexpr std::size_t kMaxFields = 16384;
+inline constexpr std::size_t kMaxFields = 4096;
 inline constexpr std::size_t kMaxCollectionDepth = 64;
 inline constexpr std::size_t kMaxPushDepth = 16;
 
