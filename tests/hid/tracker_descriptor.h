@@ -122,7 +122,7 @@ inline std::vector<std::uint8_t> trackerDescriptor(const TrackerVariant& variant
 
 inline void append(std::vector<std::uint8_t>& bytes, std::uint64_t number, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+    bytes.push_back(i < 8 ? static_cast<std::uint8_t>(number >> (8 * i)) : std::uint8_t{0});
   }
 }
 

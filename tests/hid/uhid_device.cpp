@@ -56,6 +56,11 @@ UhidDevice::~UhidDevice() {
   ::close(file_);
 }
 
+void UhidDevice::configure(std::vector<std::uint8_t> configuration) {
+  const std::scoped_lock lock(mutex_);
+  settings_.configuration = std::move(configuration);
+}
+
 void UhidDevice::stopServing() {
   stop_ = true;
   if (server_.joinable()) server_.join();
@@ -90,6 +95,7 @@ void UhidDevice::serve() {
       event->type = UHID_GET_REPORT_REPLY;
       uhid_get_report_reply_req& reply = event->u.get_report_reply;
       reply.id = request.id;
+      const std::scoped_lock lock(mutex_);
       const bool known = request.rnum == kConfigurationReport && !settings_.configuration.empty();
       reply.err = known ? std::uint16_t{0} : std::uint16_t{EIO};
       if (known) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,6 +31,8 @@ class UhidDevice {
 
   /// Ends answering requests, so that the destructor unplugs without delay.
   void stopServing();
+  /// Changes the answer to a get of feature 0x12.
+  void configure(std::vector<std::uint8_t> configuration);
   /// Sends an input report.
   void send(const std::vector<std::uint8_t>& report);
   /// The last mode that was written to feature 0x14; 0 before.
@@ -41,6 +44,7 @@ class UhidDevice {
   void serve();
 
   DeviceSettings settings_;
+  std::mutex mutex_;  ///< of settings_.configuration
   int file_ = -1;
   std::atomic<int> mode_{0};
   std::atomic<bool> open_{false};

@@ -8,6 +8,7 @@
 //   blink COUNT                     as many reports with INT32_MAX in place of the gaze
 //   garbage COUNT                   as many damaged reports of each kind
 //   status STATUS HZ                one status report
+//   display WIDTH HEIGHT            another calibrated display, in micrometres
 //   destroy                         unplugs it; answers with the time just before, in seconds
 //
 // Each line is answered by one: "ok ..." or "error ...". Times are CLOCK_MONOTONIC.
@@ -63,6 +64,7 @@ class Tracker {
     if (command == "blink") return blink(words);
     if (command == "garbage") return garbage(words);
     if (command == "status") return status(words);
+    if (command == "display") return display(words);
     if (command == "destroy") return destroy();
     return "error unknown command";
   }
@@ -155,6 +157,14 @@ class Tracker {
     words >> status >> hertz;
     device_->send(
         statusReport(static_cast<std::uint8_t>(status), static_cast<std::uint16_t>(hertz)));
+    return "ok";
+  }
+
+  std::string display(std::istream& words) {
+    std::uint64_t width = 0;
+    std::uint64_t height = 0;
+    words >> width >> height;
+    device_->configure(configurationReport(width, height));
     return "ok";
   }
 

@@ -214,6 +214,21 @@ TEST(HidSession, AsksForWhatIsMissingAndTakesTheDevicesWordFirst) {
   EXPECT_THAT(stated.note(""), HasSubstr("range of its reports"));
 }
 
+TEST(HidSession, ReadyAfterACalibrationAsksAgain) {
+  Session session(layoutFor({}), {});
+  const auto status = [&session](std::uint8_t value) {
+    EXPECT_TRUE(session.take(statusReport(value, 60), 0.0).news);
+    return session.takeCalibrated();
+  };
+  EXPECT_FALSE(status(1));  // the first word: nothing has changed
+  EXPECT_FALSE(status(4));
+  EXPECT_THAT(session.note(""), ::testing::HasSubstr("needs a calibration"));
+  EXPECT_FALSE(status(2));
+  EXPECT_TRUE(status(1));
+  EXPECT_FALSE(session.takeCalibrated());
+  EXPECT_FALSE(status(1));
+}
+
 TEST(HidSession, WholeSecondTimestampsLeaveTheHostsTimes) {
   Session session(layoutFor({}), {});
   for (int i = 0; i < 500; ++i) {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -136,10 +137,8 @@ class EyeTracker::Thread {
       identify(info);
       Session session(std::move(layout), choice_);
       setMessage(Connection::Opening, session.note(""));
-      const auto exchange = Exchange::start(link, session.layout());
-      stream(session, *link, *exchange);
-      exchange->abandon();
-    } catch (const InputError& error) {
+      stream(session, link);
+    } catch (const std::exception& error) {  // nothing may end the thread, and with it the program
       identify(info);
       setMessage(Connection::Refused, error.what());
     }
@@ -156,24 +155,39 @@ class EyeTracker::Thread {
     }
   }
 
-  void stream(Session& session, const HidrawLink& link, const Exchange& exchange) {
+  /// The questions to the device that are under way, and what of the answers is known here.
+  struct Talk {
+    explicit Talk(std::shared_ptr<Exchange> started) : exchange(std::move(started)) {}
+    Talk(const Talk&) = delete;
+    Talk& operator=(const Talk&) = delete;
+    ~Talk() { exchange->abandon(); }
+
+    std::shared_ptr<Exchange> exchange;
+    bool done = false;
+    Exchange::Outcome known;
+  };
+
+  void follow(Session& session, Talk& talk) {
+    if (talk.done) return;
+    const Exchange::Outcome outcome = talk.exchange->outcome();
+    talk.done = outcome.done;
+    if (outcome.screenMm == talk.known.screenMm && outcome.problem == talk.known.problem) return;
+    session.learn(outcome.screenMm, outcome.problem);
+    show(session);
+    talk.known = outcome;
+  }
+
+  void stream(Session& session, const std::shared_ptr<const HidrawLink>& link) {
+    auto talk = std::make_unique<Talk>(Exchange::start(link, session.layout()));
     show(session);
     double lastGaze = hostSeconds();
-    bool exchangeDone = false;
-    Exchange::Outcome known;
     while (!stop_) {
       std::size_t length = 0;
-      const HidrawLink::Read read = link.read(buffer_, length, kReadTimeoutMs);
+      const HidrawLink::Read read = link->read(buffer_, length, kReadTimeoutMs);
       const double now = hostSeconds();
-      // Before the report is looked at: the first one may follow the answers at once.
-      if (!exchangeDone) {
-        const Exchange::Outcome outcome = exchange.outcome();
-        exchangeDone = outcome.done;
-        if (outcome.screenMm != known.screenMm || outcome.problem != known.problem) {
-          session.learn(outcome.screenMm, outcome.problem);
-          show(session);
-          known = outcome;
-        }
+      follow(session, *talk);  // before the report: the first one may come with the answers
+      if (talk->done && session.takeCalibrated()) {
+        talk = std::make_unique<Talk>(Exchange::start(link, session.layout()));
       }
       if (read == HidrawLink::Read::Gone) {
         setMessage(Connection::Unplugged, "unplugged; it is looked for");

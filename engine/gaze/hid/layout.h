@@ -20,7 +20,7 @@ struct Scalar {
   bool isSigned = false;
   /// Of the raw number; one outside it is null (6.2.2.5).
   std::optional<Bounds> range = std::nullopt;
-  double scale = 1.0;           ///< value = raw * scale + offset
+  double scale = 1.0;  ///< value = raw * scale + offset
   double offset = 0.0;
 
   [[nodiscard]] std::size_t endBit() const { return std::size_t{bit} + bits; }

@@ -46,9 +46,14 @@ void Session::learn(const std::optional<glm::dvec2>& screenMm, const std::string
 }
 
 Session::Taken Session::take(std::span<const std::uint8_t> bytes, double hostSeconds) {
+  const ConfigurationStatus statusBefore = decoder_.condition().status;
   HidGazeReport gaze;
   Taken taken{.kind = decoder_.decode(bytes, gaze), .sample = {}, .news = false};
   taken.news = taken.kind == ReportClass::Status;
+  if (decoder_.condition().status == ConfigurationStatus::Ready &&
+      statusBefore > ConfigurationStatus::Ready) {
+    calibrated_ = true;
+  }
   if (taken.kind != ReportClass::Gaze) return taken;
   const DeviceClock::Verdict before = clock_.verdict();
   taken.sample = {.hostSeconds = hostSeconds,

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/gaze/hid/choice.h"
 #include "engine/gaze/hid/device_clock.h"
@@ -31,6 +32,10 @@ class Session {
   /// The device's own word on its calibrated display, and what it did not answer.
   void learn(const std::optional<glm::dvec2>& screenMm, const std::string& problem);
 
+  /// True once after each time that the status went from not ready to ready: the display's size may
+  /// be another one now.
+  [[nodiscard]] bool takeCalibrated() { return std::exchange(calibrated_, false); }
+
   /// What positions are divided by: the device's own word, else the choice's, else the profile's,
   /// else the extent of the stated range; absent where none is known, and where the device gives
   /// shares.
@@ -39,8 +44,6 @@ class Session {
   /// One line for a person: `first`, then all that is not as it should be. May be empty.
   [[nodiscard]] std::string note(std::string_view first) const;
   [[nodiscard]] const TrackerLayout& layout() const { return decoder_.layout(); }
-  /// True once gaze has come.
-  [[nodiscard]] bool hasStreamed() const { return hasStreamed_; }
 
  private:
   ReportDecoder decoder_;
@@ -50,6 +53,7 @@ class Session {
   std::string screenNote_;
   std::string problem_;
   bool hasStreamed_ = false;
+  bool calibrated_ = false;
 };
 
 }  // namespace macula::gaze::hid
