@@ -1,6 +1,7 @@
 #include "engine/settings/toml_scan.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ class Scanner {
   void scan() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
+      if (headingBegan() && c != ' ' && c != '\t') requireHeading(c);
       if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (c == '"' || c == '\'') {
@@ -30,7 +32,7 @@ class Scanner {
         last_ = c;
       } else {
         step(c);
-        if (c != ' ' && c != '\t' && c != '\r') last_ = c;
+        if (!isBlank(c)) last_ = c;
         ++at_;
       }
     }
@@ -61,13 +63,16 @@ class Scanner {
         parts_ = 1;
         break;
       case '[':
-        require(inKey_ ? last_ == '\n' || last_ == '[' : valueMayBegin(), c);
+        headingBrackets_ = headingBegan() ? headingBrackets_ + 1 : 1;
+        require(inKey_ ? last_ == '\n' || (last_ == '[' && headingBrackets_ <= 2) : valueMayBegin(),
+                c);
         if (!inKey_) open_.push_back(c);  // otherwise a table's heading
         parts_ = 1;
         break;
       case ']':
       case '}':
         if (!open_.empty()) {
+          require((c == ']') == (open_.back() == '['), c);
           open_.pop_back();
           inKey_ = false;
         }
@@ -84,6 +89,18 @@ class Scanner {
                     line_);
         }
         break;
+    }
+  }
+
+  [[nodiscard]] static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  /// The last character was a bracket of a table's heading.
+  [[nodiscard]] bool headingBegan() const { return inKey_ && open_.empty() && last_ == '['; }
+  /// The parser takes whatever stands there for a key. Letters beyond ASCII are told of elsewhere.
+  void requireHeading(char c) const {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool bare = byte < 0x80 && std::isalnum(byte) != 0;
+    if (!bare && byte < 0x80 && std::string_view("_-\"'[]").find(c) == std::string_view::npos) {
+      failInput("{}:{}: no name after the bracket of a heading; write [name]", name_, line_);
     }
   }
 
@@ -142,10 +159,11 @@ class Scanner {
   std::string_view name_;
   std::size_t at_ = 0;
   int line_ = 1;
-  int parts_ = 1;           ///< of the key at this place
-  bool inKey_ = true;       ///< where a key may stand, not a value
-  char last_ = '\n';        ///< last character that is no blank
-  std::vector<char> open_;  ///< brackets of the value at this place
+  int parts_ = 1;            ///< of the key at this place
+  int headingBrackets_ = 0;  ///< that open the heading at this place
+  bool inKey_ = true;        ///< where a key may stand, not a value
+  char last_ = '\n';         ///< last character that is no blank
+  std::vector<char> open_;   ///< brackets of the value at this place
 };
 
 }  // namespace

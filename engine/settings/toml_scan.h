@@ -13,6 +13,9 @@ namespace macula::settings {
 ///   the middle of a word, behind which the parser would take a string for more of that word (TOML
 ///   1.0 has neither), and the former right after a backslash: its test for blanks is undefined for
 ///   many of those characters.
+/// - a heading without a name and brackets that do not match: it takes what stands there for a key
+/// or
+///   a value, and asserts.
 /// Other mistakes are left to the parser.
 /// @param name what to call the text in messages
 /// @throws InputError "name:line: ..."

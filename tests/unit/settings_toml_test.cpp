@@ -145,6 +145,22 @@ TEST_F(TomlTest, SignsInTheMiddleOfAWordAreRefused) {
   }
 }
 
+TEST_F(TomlTest, HeadingsWithoutANameAndBracketsThatDoNotMatchAreRefused) {
+  for (const char* text :
+       {"[\n", "[ \n", "[#", "[=]", "[.a]", "[\r\n", "[\ra]", "[[\n", "[[,a]]"}) {
+    EXPECT_NE(messageOf(std::string("\n") + text).find("x.toml:2: no name after the bracket"),
+              std::string::npos)
+        << text;
+  }
+  for (const char* text : {"[[[a]]]", "a = [}", "a = [1}", "a = { b = 1 ]"}) {
+    EXPECT_NE(messageOf(std::string("\n") + text).find(" where none can stand"), std::string::npos)
+        << text;
+  }
+  EXPECT_NE(messageOf("[]"), "no error");
+  EXPECT_NE(messageOf("["), "no error");
+  EXPECT_EQ(messageOf("ssaa = 2\n[ \"oit\" ]\n"), "no error");
+}
+
 TEST_F(TomlTest, QuotesWhereTextMayBeginAreTaken) {
   std::string note;
   registry_.add({.key = "note"}, note);

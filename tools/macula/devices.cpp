@@ -2,9 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "common.h"
+#include "engine/core/error.h"
+#include "engine/gaze/hid/eye_tracker.h"
 #include "passes/machine.h"
 
 namespace macula::tools {
@@ -15,7 +19,32 @@ struct Options {
   std::string json;
 };
 
-void run(const Options& options) {
+nlohmann::ordered_json toJson(const std::vector<gaze::hid::TrackerInfo>& trackers) {
+  auto list = nlohmann::ordered_json::array();
+  for (const gaze::hid::TrackerInfo& tracker : trackers) {
+    list.push_back({{"name", oneLine(tracker.name)},
+                    {"vendor", fmt::format("{:04x}", tracker.vendorId)},
+                    {"product", fmt::format("{:04x}", tracker.productId)},
+                    {"serial", oneLine(tracker.serial)},
+                    {"path", tracker.path},
+                    {"accessible", tracker.accessible}});
+  }
+  return list;
+}
+
+void print(const std::vector<gaze::hid::TrackerInfo>& trackers) {
+  const char* none =
+      gaze::hid::hidSupported() ? "none" : "not supported by this build (MACULA_HID)";
+  fmt::print("eye trackers      {}\n", trackers.empty() ? none : fmt::to_string(trackers.size()));
+  for (const gaze::hid::TrackerInfo& tracker : trackers) {
+    fmt::print("  {:04x}:{:04x}       {}{}{}, {}{}\n", tracker.vendorId, tracker.productId,
+               oneLine(tracker.name), tracker.serial.empty() ? "" : ", serial ",
+               oneLine(tracker.serial), tracker.path,
+               tracker.accessible ? "" : " (no permission: install the udev rule in assets/udev)");
+  }
+}
+
+nlohmann::ordered_json describeGl(const Options& options) {
   const window::HeadlessContext context(platformOf(options.platform));
   const passes::Machine machine;
   const gl::Capabilities& c = machine.capabilities;
@@ -35,27 +64,46 @@ void run(const Options& options) {
                  machine.time.kRepeats[i], machine.time.queryMs[i], machine.time.finishMs[i]);
     }
   }
-  writeJson(options.json, {{"context", context.description()},
-                           {"renderer", c.renderer},
-                           {"version", c.version},
-                           {"max_storage_block_bytes", c.maxStorageBlockBytes},
-                           {"max_texture_size", c.maxTextureSize},
-                           {"interlock", c.fragmentShaderInterlock},
-                           {"ordered", machine.ordered.passed},
-                           {"sync", passes::nameOf(sync)},
-                           {"time_source",
-                            {{"source", gl::nameOf(machine.time.source)},
-                             {"reason", machine.time.reason},
-                             {"query_ms", machine.time.queryMs},
-                             {"finish_ms", machine.time.finishMs}}}});
+  return {{"context", context.description()},
+          {"renderer", c.renderer},
+          {"version", c.version},
+          {"max_storage_block_bytes", c.maxStorageBlockBytes},
+          {"max_texture_size", c.maxTextureSize},
+          {"interlock", c.fragmentShaderInterlock},
+          {"ordered", machine.ordered.passed},
+          {"sync", passes::nameOf(sync)},
+          {"time_source",
+           {{"source", gl::nameOf(machine.time.source)},
+            {"reason", machine.time.reason},
+            {"query_ms", machine.time.queryMs},
+            {"finish_ms", machine.time.finishMs}}}};
+}
+
+/// Eye trackers do not need a GL device: they are told even where that one is refused.
+void run(const Options& options) {
+  const auto trackers = gaze::hid::listTrackers();
+  const auto tellTrackers = [&](nlohmann::ordered_json json) {
+    if (options.json != "-") print(trackers);
+    json["hid"] = gaze::hid::hidSupported();
+    json["eye_trackers"] = toJson(trackers);
+    writeJson(options.json, json);
+  };
+  nlohmann::ordered_json gl;
+  try {
+    gl = describeGl(options);
+  } catch (const InputError& error) {
+    tellTrackers({{"gl_error", error.what()}});
+    throw;
+  }
+  tellTrackers(std::move(gl));
 }
 
 }  // namespace
 
 void addDevices(CLI::App& root) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      root.add_subcommand("devices", "The GL device, its time source and synchronisation");
+  CLI::App* command = root.add_subcommand(
+      "devices", "The GL device, its time source and synchronisation; eye trackers");
   addPlatformOption(*command, options->platform);
   addJsonOption(*command, options->json);
   command->callback([options] { run(*options); });
