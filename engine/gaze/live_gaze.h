@@ -60,11 +60,8 @@ class LiveGaze final : public GazeSource {
   LiveGaze(DeviceReader& reader, const GazeSettings& settings, double hostStart);
 
   /// Where display and window are now; samples that come later are placed by it.
-  void place(const WindowPlacement& placement) { placement_ = placement; }
-  /// Called for each sample with its time since hostStart and its place in the window.
-  void onSample(std::function<void(const GazeSample&)> listener) {
-    listener_ = std::move(listener);
-  }
+  void place(const WindowPlacement& placement) override { placement_ = placement; }
+  void onSample(SampleListener listener) override { listener_ = std::move(listener); }
 
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
   [[nodiscard]] std::string name() const override { return reader_.name(); }
@@ -86,7 +83,7 @@ class LiveGaze final : public GazeSource {
   WindowPlacement placement_;
   ClockFit clock_;
   PointOfInterestTracker tracker_;
-  std::function<void(const GazeSample&)> listener_;
+  SampleListener listener_;
   std::vector<DeviceSample> samples_;
   std::vector<Recent> recent_;  ///< ring
   std::size_t oldest_ = 0;

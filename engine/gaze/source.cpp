@@ -33,10 +33,16 @@ PointOfInterest FixedGaze::at(double /*timeSeconds*/) {
   return exactPoint(position_);
 }
 
-void MouseGaze::move(const glm::dvec2& position) {
+void MouseGaze::move(const glm::dvec2& position, double timeSeconds) {
   // Some window systems report a pointer that has left as infinitely far or not at all.
   if (std::isnan(position.x) || std::isnan(position.y)) return;
   point_ = exactPoint(glm::clamp(position, -kFarthestPlace, kFarthestPlace));
+  if (!listener_) return;
+  GazeSample sample;
+  sample.timeSeconds = timeSeconds;
+  sample.position = position;
+  sample.valid = true;
+  listener_(sample);
 }
 
 PointOfInterest MouseGaze::at(double /*timeSeconds*/) {
@@ -57,6 +63,7 @@ ReplayGaze::ReplayGaze(GazeLog log, const GazeSettings& settings)
 PointOfInterest ReplayGaze::at(double timeSeconds) {
   const double time = timeSeconds - latency_;
   while (next_ < log_.samples.size() && log_.samples[next_].timeSeconds <= time) {
+    if (listener_) listener_(log_.samples[next_]);
     tracker_.observe(log_.samples[next_]);
     ++next_;
   }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
 
+#include "engine/gaze/display_mapping.h"
 #include "engine/gaze/gaze_settings.h"
 #include "engine/gaze/log.h"
 #include "engine/gaze/point_of_interest.h"
@@ -37,6 +39,14 @@ class GazeSource {
   [[nodiscard]] virtual std::string name() const = 0;
 
   [[nodiscard]] virtual SourceStatus status() const { return {}; }
+
+  /// Where display and window are now. Only trackers need it: other sources speak of the window.
+  virtual void place(const WindowPlacement& /*placement*/) {}
+
+  /// Called from at() for each sample that came, with its time on the clock of at() and its place
+  /// in the window, before any rule or filter. Fixed points have no samples.
+  using SampleListener = std::function<void(const GazeSample&)>;
+  virtual void onSample(SampleListener /*listener*/) {}
 };
 
 /// A fixed point. It is known exactly, so no rule ever takes it for lost.
@@ -57,13 +67,16 @@ class FixedGaze final : public GazeSource {
 class MouseGaze final : public GazeSource {
  public:
   /// @param position 0..1 of the window from the top left; values outside and NaN are allowed
-  void move(const glm::dvec2& position);
+  /// @param timeSeconds of the frame; the listener hears it as the sample's time
+  void move(const glm::dvec2& position, double timeSeconds = 0.0);
   /// State "none" and the centre until the first move().
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
   [[nodiscard]] std::string name() const override { return "mouse"; }
+  void onSample(SampleListener listener) override { listener_ = std::move(listener); }
 
  private:
   PointOfInterest point_;
+  SampleListener listener_;
 };
 
 /// Replays a log under the loss rule: the same log and frame times give the same points. The log's
@@ -75,6 +88,7 @@ class ReplayGaze final : public GazeSource {
   explicit ReplayGaze(GazeLog log, const GazeSettings& settings = {});
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
   [[nodiscard]] std::string name() const override { return log_.name; }
+  void onSample(SampleListener listener) override { listener_ = std::move(listener); }
   [[nodiscard]] const GazeLog& log() const { return log_; }
 
  private:
@@ -84,6 +98,7 @@ class ReplayGaze final : public GazeSource {
   double lastTime_;
   PointOfInterestTracker tracker_;
   std::size_t next_ = 0;
+  SampleListener listener_;
 };
 
 /// Makes a source from what --gaze names: `center`, `x,y` (each 0..1 of the window), or a log file.
