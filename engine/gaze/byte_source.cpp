@@ -16,7 +16,7 @@ namespace macula::gaze {
 namespace {
 
 // Large enough that a call costs nothing beside the bytes, small enough for the second cache.
-constexpr std::size_t kChunk = 131072;
+constexpr std::size_t kChunk = 65536;
 
 class StreamSource final : public ByteSource {
  public:

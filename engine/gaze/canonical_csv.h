@@ -23,7 +23,8 @@ void writeCanonicalHeader(const GazeLogHead& head, const CanonicalColumns& colum
 void writeCanonicalRow(const GazeSample& sample, const CanonicalColumns& columns, std::string& out);
 
 /// Converts a log of any format and size to canonical CSV, in memory that does not grow with it:
-/// the log is read once for the columns and once for the rows. `out` is replaced only when done.
+/// the log is read once for the columns and once for the rows. A comment says of what format and
+/// coordinates it was. `out` is replaced only when done.
 /// @returns what the log was, and how many samples were written
 /// @throws InputError where the log cannot be read or `out` cannot be written
 struct Conversion {

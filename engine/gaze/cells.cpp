@@ -36,6 +36,24 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// Length of the UTF-8 sequence that the text begins with; 0 where it is none. RFC 3629, section 4:
+/// the second byte's range keeps out overlong forms, surrogates and what is beyond U+10FFFF.
+std::size_t sequenceLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead < 0xC2 || lead > 0xF4) return 0;
+  const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  if (text.size() < length) return 0;
+  const unsigned char low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
+  const unsigned char high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+  if (byte(1) < low || byte(1) > high) return 0;
+  for (std::size_t i = 2; i < length; ++i) {
+    if (byte(i) < 0x80 || byte(i) > 0xBF) return 0;
+  }
+  return length;
+}
+
 std::string_view unquoted(std::string_view cell) {
   if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
     cell.remove_prefix(1);
@@ -61,6 +79,16 @@ std::string_view trimmed(std::string_view text) {
   while (first < last && text[first] == ' ') ++first;
   while (last > first && text[last - 1] == ' ') --last;
   return text.substr(first, last - first);
+}
+
+std::string repairedUtf8(std::string_view text) {
+  std::string repaired;
+  while (!text.empty()) {
+    const std::size_t length = sequenceLength(text);
+    repaired += length > 0 ? text.substr(0, length) : std::string_view("\xEF\xBF\xBD");
+    text.remove_prefix(length > 0 ? length : 1);
+  }
+  return repaired;
 }
 
 void splitCells(std::string_view row, char separator, std::vector<std::string_view>& cells) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace macula::gaze {
 
 /// Without spaces at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The text with U+FFFD for each byte that is no UTF-8 (RFC 3629), so that it can go into a report.
+[[nodiscard]] std::string repairedUtf8(std::string_view text);
 
 /// Splits a row at every separator and trims each cell; n separators make n + 1 cells.
 /// @param cells is overwritten; it points into `row`

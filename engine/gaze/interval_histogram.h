@@ -1,15 +1,17 @@
 // Median and spread of any number of time steps in bounded memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace macula::gaze {
 
 /// Counts steps in bins of a microsecond up to a quarter second, and of 0.4 % beyond. Each bin
 /// keeps the mean of its steps, so that a median is exact where the clock counts whole microseconds
-/// or longer, and within a microsecond (or 0.4 %) otherwise. 4 MB.
+/// or longer, and within a microsecond (or 0.4 %) otherwise. At most 4 MB.
 class IntervalHistogram {
  public:
   IntervalHistogram();
@@ -28,9 +30,17 @@ class IntervalHistogram {
     std::uint64_t count = 0;
     double sum = 0.0;
   };
-  [[nodiscard]] static std::size_t binOf(double seconds);
+  /// Most recordings need few bins: a page of them is made when the first of its steps comes.
+  static constexpr std::size_t kPage = 256;
+  using Page = std::array<Bin, kPage>;
 
-  std::vector<Bin> bins_;
+  [[nodiscard]] static std::size_t binOf(double seconds);
+  /// Calls `visit(bin)` for each bin that holds something, from short steps to long ones, until it
+  /// returns false.
+  template <typename Visit>
+  void forEachBin(Visit visit) const;
+
+  std::vector<std::unique_ptr<Page>> pages_;
   std::uint64_t count_ = 0;
 };
 

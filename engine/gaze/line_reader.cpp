@@ -6,9 +6,8 @@
 
 namespace macula::gaze {
 
-// Twice the longest line would do; more makes moving the rest of a line to the front rare.
 LineReader::LineReader(ByteSource& text, std::string_view name)
-    : text_(text), name_(name), buffer_(4 * kLongestLine) {}
+    : text_(text), name_(name), buffer_(2 * kLongestLine) {}
 
 void LineReader::rewind() {
   text_.rewind();

@@ -169,7 +169,8 @@ class GazeLogReader::Impl {
 
   void keepNote(std::string_view comment) {
     comment.remove_prefix(1);
-    if (head_.notes.size() < kMostNotes) head_.notes.emplace_back(trimmed(oneLine(comment)));
+    if (head_.notes.size() >= kMostNotes) return;
+    head_.notes.emplace_back(trimmed(repairedUtf8(oneLine(comment))));
   }
 
   void countTime(double time) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -43,6 +44,7 @@ inline void checkLog(GazeLog log) {
   requireThat(!log.samples.empty());
   requireThat(log.samples.front().timeSeconds == 0.0);
   requireThat(!describe(log.coordinates).empty());
+  requireThat(!nlohmann::json(log.notes).dump().empty());  // throws where they are not UTF-8
   for (const GazeSample& sample : log.samples) {
     requireThat(std::isfinite(sample.timeSeconds));
     requireThat(!sample.valid ||

@@ -193,6 +193,20 @@ TEST(GazeLogReader, ConvertsAsAStreamToTheSameText) {
   std::filesystem::remove(out);
 }
 
+TEST(GazeLogReader, ConversionSaysWhatTheCoordinatesWere) {
+  const std::filesystem::path folder = testing::TempDir();
+  const std::filesystem::path in = folder / "macula_convert_degrees.csv";
+  const std::filesystem::path out = folder / "macula_convert_places.csv";
+  writeFileAtomically(in, "n,x,y,val\n0,0,0,0\n");
+  (void)convertGazeLog(in, out);
+  EXPECT_EQ(readTextFile(out),
+            "# converted from gazebase; coordinates were deg (format), origin centre, y up "
+            "(format), of the screen; degrees mapped by display.* 597x336 mm at 750 mm\n"
+            "time_s,x,y,valid\n0,0.5,0.5,1\n");
+  std::filesystem::remove(in);
+  std::filesystem::remove(out);
+}
+
 TEST(GazeLogReader, WhatIsNoGazeLogNamesTheLine) {
   MACULA_RECORDING(path, "oneeuro_groundTruth.csv");
   try {

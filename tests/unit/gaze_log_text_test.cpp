@@ -102,6 +102,20 @@ TEST(GazeLogText, LinesAcrossTheReadersBuffer) {
   }
 }
 
+TEST(GazeLogText, CommentsThatAreNoUtf8AreRepaired) {
+  const std::string mark = "\xEF\xBF\xBD";
+  const GazeLog log = parseLog("# caf\xE9\n" + kText);
+  EXPECT_EQ(log.notes.at(0), "caf" + mark);
+  EXPECT_EQ(repairedUtf8("a\xC3\xA4\xE4\xB8\xAD\xF0\x9D\x84\x9E"),
+            "a\xC3\xA4\xE4\xB8\xAD\xF0\x9D\x84\x9E");
+  // Overlong, a surrogate, beyond the last code point, a lone continuation, cut off.
+  EXPECT_EQ(repairedUtf8("\xC0\x80"), mark + mark);
+  EXPECT_EQ(repairedUtf8("\xED\xA0\x80"), mark + mark + mark);
+  EXPECT_EQ(repairedUtf8("\xF4\x90\x80\x80"), mark + mark + mark + mark);
+  EXPECT_EQ(repairedUtf8("\x80z"), mark + "z");
+  EXPECT_EQ(repairedUtf8("\xE4\xB8"), mark + mark);
+}
+
 TEST(GazeLogCells, TicksKeepEveryDigit) {
   EXPECT_EQ(parseTicks("1700000000123456789", 0), 1700000000123456789);
   EXPECT_EQ(parseTicks("1700000000.123456789", 9), 1700000000123456789);
