@@ -10,6 +10,7 @@ set(OPENSSL_USE_STATIC_LIBS ON)  # libcrypto for SHA-256 only; static keeps the 
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
+find_package(ZLIB REQUIRED)  # gzipped gaze logs
 find_package(TinyGLTF REQUIRED)
 if(MACULA_WINDOW)
   find_package(glfw3 3.3 REQUIRED)

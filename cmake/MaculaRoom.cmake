@@ -9,6 +9,10 @@ target_compile_options(macula_options INTERFACE -Wall -Wextra -Wshadow -Wconvers
 if(MACULA_WERROR)
   target_compile_options(macula_options INTERFACE -Werror)
 endif()
+if(MACULA_FUZZ)
+  # Coverage of the libraries guides the fuzzer; its main() is linked into the targets alone.
+  target_compile_options(macula_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(MACULA_SANITIZE)
   target_compile_options(macula_options INTERFACE -fsanitize=address,undefined
     -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -1,38 +1,42 @@
 #include "engine/gaze/line_reader.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "engine/core/error.h"
 
 namespace macula::gaze {
 
-LineReader::LineReader(std::istream& in, std::string_view name)
-    : in_(in), name_(name), buffer_(2 * kLongestLine) {}
+LineReader::LineReader(ByteSource& text, std::string_view name)
+    : text_(text), name_(name), buffer_(2 * kLongestLine) {}
+
+void LineReader::rewind() {
+  text_.rewind();
+  begin_ = end_ = number_ = 0;
+  ended_ = false;
+}
 
 void LineReader::refill() {
-  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  in_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  end_ += static_cast<std::size_t>(in_.gcount());
-  if (in_.bad()) {
-    failInput("{}: line {}: reading failed; check the disk and the permissions", name_,
-              number_ + 1);
-  }
+  const std::size_t got = text_.read(buffer_.data() + end_, buffer_.size() - end_);
+  end_ += got;
+  ended_ = got == 0;
 }
 
 bool LineReader::next(std::string_view& line) {
-  const auto lineEnd = [&]() -> const char* {
-    return end_ == begin_ ? nullptr
-                          : static_cast<const char*>(
-                                std::memchr(buffer_.data() + begin_, '\n', end_ - begin_));
-  };
-  const char* newline = lineEnd();
-  if (newline == nullptr && in_.good()) {
+  std::size_t searched = 0;
+  const char* newline = nullptr;
+  while (true) {
+    const std::size_t left = end_ - begin_;
+    if (left > searched) {
+      newline = static_cast<const char*>(
+          std::memchr(buffer_.data() + begin_ + searched, '\n', left - searched));
+    }
+    searched = left;
+    // Sources may give little at a time; a line is too long when none ends in this much.
+    if (newline != nullptr || ended_ || left > kLongestLine) break;
     refill();
-    newline = lineEnd();
   }
   if (begin_ == end_) return false;
 
@@ -47,13 +51,8 @@ bool LineReader::next(std::string_view& line) {
   begin_ += length + (newline == nullptr ? 0 : 1);
   ++number_;
 
-  if (number_ == 1) {
-    if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")) {
-      failInput("{}: line 1: the text is UTF-16; save it as UTF-8", name_);
-    }
-    if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-  }
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  while (line.ends_with('\r')) line.remove_suffix(1);
   return true;
 }
 

@@ -1,12 +1,8 @@
-// From pixels of the screen to 0..1, by where the file says that pictures were shown.
+// Where on the screen pictures were shown, as far as it tells how large the screen is.
 #pragma once
 
-#include <cstddef>
 #include <glm/glm.hpp>
 #include <optional>
-#include <vector>
-
-#include "engine/gaze/log.h"
 
 namespace macula::gaze {
 
@@ -18,27 +14,23 @@ struct Rectangle {
   bool operator==(const Rectangle&) const = default;
 };
 
-/// Collects which medium (picture, page, or the bare screen) lay where during which samples.
+/// Collects which media (pictures, pages, or the bare screen) lay where; in bounded memory.
 class MediaMap {
  public:
-  /// The medium during a sample; nothing where the row does not say. Samples come in order.
-  void note(std::size_t sampleIndex, const std::optional<Rectangle>& medium);
+  /// One more medium; may come any number of times.
+  void note(const Rectangle& medium);
 
-  /// Turns the positions of the log from pixels into 0..1: of the screen, where the file shows it
-  /// (a medium at (0, 0) that holds all the others), since media of other sizes then leave the
-  /// place on the screen alone; otherwise of the medium of each sample. Samples of unknown medium
-  /// become lost. States the screen's size in the log.
-  /// @returns false where no sample had a medium
-  [[nodiscard]] bool normalise(GazeLog& log) const;
+  [[nodiscard]] bool any() const { return any_; }
 
- private:
-  struct Change {
-    std::size_t firstSample = 0;
-    std::optional<Rectangle> medium;
-  };
+  /// The medium that shows the screen: at (0, 0), holding all the others.
   [[nodiscard]] std::optional<Rectangle> screen() const;
 
-  std::vector<Change> changes_;
+ private:
+  bool any_ = false;
+  Rectangle last_;
+  glm::dvec2 low_{0.0};   ///< corners of the rectangle
+  glm::dvec2 high_{0.0};  ///< around every medium
+  std::optional<Rectangle> largest_;
 };
 
 }  // namespace macula::gaze

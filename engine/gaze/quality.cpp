@@ -1,71 +1,109 @@
 #include "engine/gaze/quality.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "engine/gaze/tracker.h"
 
 namespace macula::gaze {
 namespace {
 
-/// Calls `visit(sample)` for each sample that is later than all before it.
-template <typename Visit>
-void forEachForward(const GazeLog& log, Visit visit) {
-  const GazeSample* newest = nullptr;
-  for (const GazeSample& sample : log.samples) {
-    if (newest != nullptr && sample.timeSeconds <= newest->timeSeconds) continue;
-    visit(sample);
-    newest = &sample;
-  }
-}
+// Steps of more than this many medians are losses, not jitter.
+constexpr double kJitterMedians = 2.0;
+// Slower than any pursuit, faster than any eye.
+constexpr settings::Range kThresholds{.min = 1.0, .max = 1000.0};
 
 bool onScreen(const glm::dvec2& p) {
   return p.x >= 0.0 && p.y >= 0.0 && p.x < 1.0 && p.y < 1.0;
 }
 
-double longestDropout(const GazeLog& log, double interval) {
-  double longest = 0.0;
-  // Before the first sample a valid one counts as due at the first, so that lost samples at the
-  // start last as long as elsewhere.
-  double lastValid = log.samples.front().timeSeconds - interval;
-  double last = lastValid;
-  forEachForward(log, [&](const GazeSample& sample) {
-    last = sample.timeSeconds;
-    if (!sample.valid) return;
-    longest = std::max(longest, last - lastValid - interval);
-    lastValid = last;
-  });
-  return std::max(longest, last - lastValid);
-}
-
 }  // namespace
+
+void registerSettings(settings::Registry& registry, QualityOptions& options) {
+  registry.add({.key = "gaze.ivtThreshold",
+                .unit = "deg/s",
+                .help = "from this speed on the eye is in a saccade"},
+               options.ivtThreshold, kThresholds);
+}
 
 double medianInterval(const GazeLog& log) {
   std::vector<double> intervals;
   intervals.reserve(log.samples.size());
-  const GazeSample* previous = nullptr;
-  forEachForward(log, [&](const GazeSample& sample) {
-    if (previous != nullptr) intervals.push_back(sample.timeSeconds - previous->timeSeconds);
-    previous = &sample;
-  });
+  const GazeSample* newest = nullptr;
+  for (const GazeSample& sample : log.samples) {
+    if (newest != nullptr && sample.timeSeconds <= newest->timeSeconds) continue;
+    if (newest != nullptr) intervals.push_back(sample.timeSeconds - newest->timeSeconds);
+    newest = &sample;
+  }
   if (intervals.empty()) return 0.0;
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::nth_element(intervals.begin(), middle, intervals.end());
   return *middle;
 }
 
-GazeQuality assess(const GazeLog& log) {
-  GazeQuality quality;
-  quality.samples = log.samples.size();
-  if (log.samples.empty()) return quality;
-  for (const GazeSample& sample : log.samples) {
-    if (!sample.valid) ++quality.lost;
-    if (sample.valid && !onScreen(sample.position)) ++quality.offScreen;
+QualityMeter::QualityMeter(const QualityOptions& options)
+    : movements_(options.ivtThreshold, options.display) {}
+
+void QualityMeter::countFrozen(const GazeSample& sample) {
+  if (!(sample.position == frozenPlace_)) {  // also where there is none: NaN equals nothing
+    frozenPlace_ = sample.position;
+    frozenSince_ = sample.timeSeconds;
+    frozenSamples_ = 0;
+    frozenCounted_ = false;
   }
-  const double interval = medianInterval(log);
+  ++frozenSamples_;
+  const bool frozen = frozenSamples_ >= kFrozenSamples &&
+                      sample.timeSeconds - frozenSince_ >= kFrozenSeconds - kTimeTolerance;
+  if (frozen && !frozenCounted_) {
+    ++counts_.frozenRuns;
+    frozenCounted_ = true;
+  }
+}
+
+void QualityMeter::add(const GazeSample& sample) {
+  const double time = sample.timeSeconds;
+  const bool first = counts_.samples == 0;
+  ++counts_.samples;
+  if (!sample.valid) ++counts_.lost;
+  if (sample.valid && !onScreen(sample.position)) ++counts_.offScreen;
+  if (!first && time <= newest_) return;
+  if (first) {
+    first_ = time;
+  } else {
+    intervals_.add(time - newest_);
+  }
+  newest_ = time;
+  countFrozen(sample);
+  movements_.add(time, sample.valid ? std::optional(sample.position) : std::nullopt);
+  if (!sample.valid) return;
+  if (anyValid_) {
+    innerDropout_ = std::max(innerDropout_, time - lastValid_);
+  } else {
+    headDropout_ = time - first_;
+  }
+  anyValid_ = true;
+  lastValid_ = time;
+}
+
+GazeQuality QualityMeter::quality() const {
+  GazeQuality quality = counts_;
+  if (counts_.samples == 0) return quality;
+  const double interval = intervals_.median();
   if (interval > 0.0) quality.rateHz = 1.0 / interval;
-  forEachForward(log, [&](const GazeSample& sample) {
-    quality.durationSeconds = sample.timeSeconds - log.samples.front().timeSeconds;
-  });
-  quality.longestDropoutSeconds = longestDropout(log, interval);
+  quality.durationSeconds = newest_ - first_;
+  quality.jitterSeconds = intervals_.deviation(kJitterMedians * interval);
+  quality.movements = movements_.result();
+  // Lost samples at the start are due from the first one on; those at the end last as long as the
+  // recording; a step between valid samples begins one interval after the former.
+  const double atEnd = anyValid_ ? newest_ - lastValid_ : newest_ - first_ + interval;
+  quality.longestDropoutSeconds = std::max({headDropout_, innerDropout_ - interval, atEnd, 0.0});
   return quality;
+}
+
+GazeQuality assess(const GazeLog& log, const QualityOptions& options) {
+  QualityMeter meter(options);
+  for (const GazeSample& sample : log.samples) meter.add(sample);
+  return meter.quality();
 }
 
 }  // namespace macula::gaze

@@ -3,11 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
-#include "engine/core/error.h"
-#include "engine/gaze/log.h"
-#include "engine/gaze/quality.h"
+#include "gaze_log_cases.h"
 
 namespace macula::gaze {
 namespace {
@@ -26,18 +23,12 @@ std::string row(const std::string& ms, const std::string& eyes, const std::strin
 const std::string kSeen = "600,5\t300,5\t4,0\t0\t680,5\t310,5\t5,0\t0";
 const std::string kScreen = "1000\t500\t0\t0";
 
-GazeLog parse(const std::string& text) {
-  std::istringstream in(text);
-  return readGazeLog(in, "log.tsv");
+GazeLog parse(const std::string& text, const LogOptions& options = {}) {
+  return parseLog(text, options);
 }
 
-std::string errorOf(const std::string& text) {
-  try {
-    (void)parse(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string errorOf(const std::string& text, const LogOptions& options = {}) {
+  return errorOfLog(text, options);
 }
 
 void expectPosition(const GazeSample& sample, double x, double y) {
@@ -106,6 +97,28 @@ TEST(TobiiStudio, PixelsAreOfTheMediumWhereNoneShowsTheScreen) {
   expectPosition(log.samples[1], 0.25, 0.5);
   expectPosition(log.samples[2], 0.5, 0.5);
   EXPECT_FALSE(log.coordinates.screenPixels.has_value());
+  EXPECT_EQ(log.coordinates.of, "medium of each sample");
+}
+
+TEST(TobiiStudio, ScreenByASettingGoesBeforeTheMedia) {
+  const GazeLog log =
+      parse(kHeader + row("0", kSeen, "640\t300", kScreen, "0"), {.screen = "1280x600"});
+  expectPosition(log.samples.at(0), 0.5, 0.5);
+  EXPECT_EQ(log.coordinates.screenBy, "setting");
+  // Nothing but the setting is needed then.
+  expectPosition(parse(kHeader + row("0", kSeen, "640\t300", "\t\t\t", "0"), {.screen = "1280x600"})
+                     .samples.at(0),
+                 0.5, 0.5);
+}
+
+TEST(TobiiStudio, VersionThreeColumns) {
+  const GazeLog log = parse(
+      "RecordingTimestamp\tEyeTrackerTimestamp\tRecordingResolution\tValidityLeft\tValidityRight"
+      "\tGazePointX (ADCSpx)\tGazePointY (ADCSpx)\n"
+      "7\t1000100\t1000 x 500\t0\t0\t250\t100\n23\t1016767\t1000 x 500\t4\t4\t\t\n");
+  expectPosition(log.samples.at(0), 0.25, 0.2);
+  EXPECT_FALSE(log.samples.at(1).valid);
+  EXPECT_EQ(log.samples.at(1).timeSeconds, 0.016667);
 }
 
 TEST(TobiiStudio, MilliSecondsWhereNoMicroSecondsAre) {
@@ -119,17 +132,17 @@ TEST(TobiiStudio, MistakesAreNamedWithLineAndMend) {
   const std::string good = row("0", kSeen, "640\t300", kScreen, "0");
   const std::string bad = row("20", "1\t1\t4\t7\t1\t1\t4\t0", "640\t300", kScreen, "20000");
   EXPECT_EQ(errorOf(kHeader + good + bad + good),
-            "log.tsv: line 3: ValidityLeft is '7' instead of 0 to 4; export the log again");
+            "log.csv: line 3: ValidityLeft is '7' instead of 0 to 4; export the log again");
   EXPECT_EQ(errorOf(kHeader + row("0", kSeen, "1\t1", kScreen, "1:00") + good),
-            "log.tsv: line 2: MicroSecondTimestamp is '1:00' instead of microseconds; export the "
+            "log.csv: line 2: MicroSecondTimestamp is '1:00' instead of microseconds; export the "
             "log again");
   EXPECT_EQ(errorOf(kHeader + std::string("1\t2\r\n") + good),
-            "log.tsv: line 2: 2 cells under a header of 17; export the log again");
+            "log.csv: line 2: 2 cells under a header of 17; export the log again");
   EXPECT_EQ(errorOf(kHeader + row("0", kSeen, "640\t300", "\t\t\t", "0")),
-            "log.tsv: line 1: no row gives MediaWidth and MediaHeight; export them from Tobii "
-            "Studio");
+            "log.csv: line 1: no row gives MediaWidth and MediaHeight; export them from Tobii "
+            "Studio, or give --gaze.screen WIDTHxHEIGHT");
   EXPECT_EQ(errorOf("GazePointX\tGazePointY\n1\t1\n"),
-            "log.tsv: line 1: column 'ValidityLeft' is missing; export it from Tobii Studio");
+            "log.csv: line 1: column 'ValidityLeft' is missing; export it too");
 }
 
 TEST(TobiiStudio, RealRecording) {
@@ -146,7 +159,9 @@ TEST(TobiiStudio, RealRecording) {
   EXPECT_EQ(log.counters.truncatedRows, 0U);
   EXPECT_EQ(log.counters.duplicateTimes, 0U);
   EXPECT_EQ(log.counters.backwardTimes, 0U);
+  EXPECT_EQ(log.counters.bothLost, 23U);
   EXPECT_EQ(log.coordinates.screenPixels, glm::dvec2(1280, 1024));
+  EXPECT_EQ(log.coordinates.screenBy, "file");
   EXPECT_NEAR(quality.rateHz, 1e6 / 19923.0, 1e-6);
   EXPECT_DOUBLE_EQ(quality.durationSeconds, 24.573907 - 0.018138);
   // Eleven samples in a row are lost: about eleven intervals of 20 ms.
