@@ -41,16 +41,17 @@ void addFont(float scale) {
 
 }  // namespace
 
-UiContext::UiContext(GLFWwindow* window) {
+UiContext::UiContext(GLFWwindow* window, float scale) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
-  float scaleX = 1.0F;
-  float scaleY = 1.0F;
-  glfwGetWindowContentScale(window, &scaleX, &scaleY);
-  applyStyle(scaleX);
-  addFont(scaleX);
+  if (scale <= 0.0F) {
+    float scaleY = 1.0F;
+    glfwGetWindowContentScale(window, &scale, &scaleY);
+  }
+  applyStyle(scale);
+  addFont(scale);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 450 core");
 }

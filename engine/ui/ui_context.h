@@ -10,7 +10,8 @@ namespace macula::ui {
 class UiContext {
  public:
   /// @param window its OpenGL context is current; it must outlive this object
-  explicit UiContext(GLFWwindow* window);
+  /// @param scale of text and distances; 0: the content scale of the window's monitor
+  explicit UiContext(GLFWwindow* window, float scale = 0.0F);
   ~UiContext();
   UiContext(const UiContext&) = delete;
   UiContext& operator=(const UiContext&) = delete;

@@ -41,6 +41,13 @@ Window::Window(const Settings& settings) {
         "a window",
         reason);
   }
+  glfwSetWindowSizeLimits(window_, settings.leastWidth, settings.leastHeight, GLFW_DONT_CARE,
+                          GLFW_DONT_CARE);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+    const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
+    if (self->drop_) self->drop_({paths, paths + count});
+  });
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(settings.vsync ? 1 : 0);
 }
@@ -58,6 +65,18 @@ void Window::requestClose() {
 }
 void Window::pollEvents() {
   glfwPollEvents();
+}
+void Window::waitEvents(double seconds) {
+  glfwWaitEventsTimeout(seconds);
+}
+void Window::setTitle(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+void Window::hide() {
+  glfwHideWindow(window_);
+}
+void Window::setClipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
 }
 void Window::swap() {
   glfwSwapBuffers(window_);

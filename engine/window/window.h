@@ -1,9 +1,11 @@
 // A GLFW window with an OpenGL 4.5 core context.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
-#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -18,7 +20,11 @@ class Window {
     std::string title = "Macula";
     bool debug = false;  ///< debug context
     bool vsync = true;
+    int leastWidth = 1;  ///< what the user can shrink the window to, screen coordinates
+    int leastHeight = 1;
   };
+  /// Takes the paths of files that were dropped on the window.
+  using DropHandler = std::function<void(std::vector<std::string>)>;
   /// @throws InputError where there is no display or it offers no OpenGL 4.5
   explicit Window(const Settings& settings);
   ~Window();
@@ -29,6 +35,13 @@ class Window {
   [[nodiscard]] bool shouldClose() const;
   void requestClose();
   void pollEvents();
+  /// Waits for an event, but no longer than this; then as pollEvents().
+  void waitEvents(double seconds);
+  void setTitle(const std::string& title);
+  /// Called from pollEvents() and waitEvents().
+  void onDrop(DropHandler handler) { drop_ = std::move(handler); }
+  void hide();
+  void setClipboard(const std::string& text);
   void swap();
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< pixels
   /// Pointer position, 0..1 of the client area from the top left; outside it beyond 0..1.
@@ -38,6 +51,7 @@ class Window {
 
  private:
   GLFWwindow* window_ = nullptr;
+  DropHandler drop_;
 };
 
 /// Whether a display can be opened (X11 or Wayland).
