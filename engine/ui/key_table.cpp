@@ -18,7 +18,8 @@ void drawGroup(std::span<const KeyRow> rows) {
   for (const KeyRow& row : rows) {
     const float left = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
-    ImGui::SameLine(left + kKeyWidth * ImGui::GetFontSize());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + kKeyWidth * ImGui::GetFontSize());
     ImGui::PushTextWrapPos(left + (kColumnWidth - kMargin) * ImGui::GetFontSize());
     ImGui::TextUnformatted(row.what.data(), row.what.data() + row.what.size());
     ImGui::PopTextWrapPos();

@@ -96,15 +96,20 @@ void SettingsPanel::row(Entry& entry) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushID(entry.key().c_str());
   ImGui::BeginGroup();
+  const std::string name = nameInGroup(entry);
   ImGui::AlignTextToFramePadding();
   if (entry.isDefault()) {
-    ImGui::TextUnformatted(nameInGroup(entry).c_str());
+    ImGui::TextUnformatted(name.c_str());
   } else {
-    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_PlotLines), "%s",
-                       nameInGroup(entry).c_str());
+    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_PlotLines), "%s", name.c_str());
   }
-  ImGui::SameLine(kNameShare * width);  // from the left edge of the group
-  ImGui::SetNextItemWidth((1.0F - kNameShare) * width);
+  // A name too long for its column, in a narrow panel, has a line of its own.
+  if (ImGui::CalcTextSize(name.c_str()).x < kNameShare * width) {
+    ImGui::SameLine(kNameShare * width);  // from the left edge of the group
+    ImGui::SetNextItemWidth((1.0F - kNameShare) * width);
+  } else {
+    ImGui::SetNextItemWidth(width);
+  }
   ImGui::BeginDisabled(fixed);
   const std::optional<Value> chosen = drawSettingWidget(entry, pending_);
   ImGui::EndDisabled();

@@ -120,8 +120,7 @@ void Timeline::drawTimes() const {
   for (std::size_t age = 0; age < count_; ++age) {
     longest = std::max(longest, frameAt(age).totalMs);
   }
-  ImGui::Text("frame %.1f ms (%.3g a second), longest %.1f", median,
-              median > 0.0 ? kMsPerSecond / median : 0.0, static_cast<double>(longest));
+  ImGui::Text("median %.1f ms, %.3g a second", median, median > 0.0 ? kMsPerSecond / median : 0.0);
   const PlotArea area("##times", kTimesLines);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float column = area.size.x / static_cast<float>(kHistory);
@@ -140,6 +139,12 @@ void Timeline::drawTimes() const {
       list->AddRectFilled({right - column, top}, {right, below}, colorOf(pass));
     }
   }
+  // The scale, over the bars.
+  std::array<char, 32> label{};
+  std::snprintf(label.data(), label.size(), "%.1f ms", static_cast<double>(longest));
+  const float top = area.bottom() - scale * longest;
+  list->AddLine({area.low.x, top}, {area.low.x + area.size.x, top}, IM_COL32(255, 255, 255, 60));
+  list->AddText({area.low.x + 2.0F, top}, IM_COL32(255, 255, 255, 200), label.data());
   if (!area.hovered || count_ == 0) return;
   const float fromRight = area.low.x + area.size.x - ImGui::GetIO().MousePos.x;
   const auto age = static_cast<std::size_t>(std::max(0.0F, fromRight / column));
@@ -197,7 +202,7 @@ void Timeline::drawLayers() const {
   }
   const auto& newest = frameAt(0).layers;
   swatch(kMeanColor);
-  ImGui::Text("k mean %.2f", newest ? static_cast<double>(newest->mean) : 0.0);
+  ImGui::Text("mean k %.2f", newest ? static_cast<double>(newest->mean) : 0.0);
   ImGui::SameLine();
   swatch(kMostColor);
   ImGui::Text("most %.0f", newest ? static_cast<double>(newest->most) : 0.0);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cstddef>
 
@@ -78,6 +79,11 @@ std::optional<std::size_t> chips(std::span<const std::string_view> names,
     if (lit) ImGui::PopStyleColor();
   }
   return pressed;
+}
+
+void bringToFront() {
+  // The public way, SetWindowFocus(), would take the keyboard from a field that is being typed in.
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
 }
 
 std::string bytesText(unsigned long long bytes) {

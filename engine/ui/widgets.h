@@ -26,6 +26,9 @@ void note(std::string_view text, Tone tone = Tone::Quiet);
 /// A button that stays in the line of the one before where there is room for it.
 [[nodiscard]] bool flowButton(const std::string& label, bool first);
 
+/// Draws the current window over all others, without giving it the keyboard.
+void bringToFront();
+
 /// "12.3 KiB", "4.00 MiB"
 [[nodiscard]] std::string bytesText(unsigned long long bytes);
 /// Digits in groups of three.

@@ -173,8 +173,8 @@ void Panels::draw(const PanelInput& input, Requests& requests) {
     ImGui::SetNextWindowPos({size.x - margin - width, margin});
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, most);
     if (std::exchange(numbersSet_, false)) ImGui::SetNextWindowCollapsed(!*numbersOpen_);
-    numbersOpen_ = ImGui::Begin("Numbers", nullptr, flags);
-    if (*numbersOpen_) drawNumbers(input);
+    if (ImGui::Begin("Numbers", nullptr, flags)) drawNumbers(input);
+    numbersOpen_ = !ImGui::IsWindowCollapsed();
     ImGui::End();
   }
   if (helpShown_) {
@@ -185,7 +185,15 @@ void Panels::draw(const PanelInput& input, Requests& requests) {
 
 void Panels::drawTabs(const PanelInput& input, Requests& requests) {
   static const std::vector<std::string_view> names(tabNames().begin(), tabNames().end());
-  if (const auto pressed = ui::chips(names, tab_)) showTab(tabNames()[*pressed]);
+  // Close together, so that they fit into one line.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(0.75F * style.FramePadding.x, style.FramePadding.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      ImVec2(0.5F * style.ItemSpacing.x, style.ItemSpacing.y));
+  const std::optional<std::size_t> pressed = ui::chips(names, tab_);
+  ImGui::PopStyleVar(2);
+  if (pressed) showTab(tabNames()[*pressed]);
   ImGui::Separator();
   const std::string& open = tab();
   if (open == "view") drawViewTab(input, requests);
@@ -201,11 +209,12 @@ void Panels::drawLoading(const SceneLoader& loader, bool small, Requests& reques
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   const float width = std::min(kPanelWidth * em, size.x - 2.0F * kMargin * em);
-  ImGui::SetNextWindowPos({0.5F * size.x, (small ? 0.25F : 0.5F) * size.y}, ImGuiCond_Always,
-                          {0.5F, 0.5F});
+  ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, size.y});
+  ImGui::SetNextWindowBgAlpha(1.0F);
   if (ImGui::Begin("Loading", nullptr,
                    kPanelFlags | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize)) {
+    ui::bringToFront();
     ui::note(loader.name(), ui::Tone::Plain);
     ui::nameValue(loader.stage(), fmt::format("{:.1f} s", loader.seconds()));
     // How long it takes is not known beforehand: a bar that wanders says that it goes on.
@@ -235,13 +244,14 @@ bool Panels::drawMessage(const Message* message) const {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   const float width = std::min(kMessageWidth * em, size.x - 2.0F * kMargin * em);
-  constexpr float kHintLines = 3.0F;  // the bar of keys in a narrow window, and some air
-  const float bottom = size.y - (kHintLines + 1.0F) * ImGui::GetTextLineHeightWithSpacing();
+  constexpr float kBelowLines = 6.0F;  // the bar of keys in a narrow window, names of two methods
+  const float bottom = size.y - kBelowLines * ImGui::GetTextLineHeight();
   ImGui::SetNextWindowPos({0.5F * size.x, bottom}, ImGuiCond_Always, {0.5F, 1.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, bottom});
   ImGui::SetNextWindowBgAlpha(1.0F);
   ImGui::Begin("message", nullptr,
                kPanelFlags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize);
+  ui::bringToFront();
   const float wrap = width - 2.0F * ImGui::GetStyle().WindowPadding.x;
   ImGui::PushTextWrapPos(wrap);
   ImGui::PushStyleColor(ImGuiCol_Text, message->error ? ImVec4(1.0F, 0.65F, 0.55F, 1.0F)

@@ -102,8 +102,6 @@ void Panels::drawViewTab(const PanelInput& input, Requests& requests) {
 
 void Panels::drawSettingsTab(Requests& requests) {
   if (ui::flowButton("copy as command", true)) requests.push_back({Action::CopyCommand});
-  ImGui::SameLine();
-  ImGui::TextDisabled("right click: default");
   panel_.searchableGroups();
 }
 

@@ -26,6 +26,7 @@ ShownScene upload(const ReadyScene& ready) {
 void SceneLoader::request(std::string name, const passes::RenderSettings& settings,
                           bool keepsPlace) {
   wanted_ = Wanted{std::move(name), settings, keepsPlace, std::chrono::steady_clock::now()};
+  arrived_.reset();
   stale_ = job_.busy();
   if (!stale_) start();
 }
@@ -47,6 +48,7 @@ void SceneLoader::start() {
 
 void SceneLoader::cancel() {
   wanted_.reset();
+  arrived_.reset();
   stale_ = job_.busy();
 }
 
@@ -57,10 +59,10 @@ std::string SceneLoader::stage() const {
       return "reading and decoding";
     case Stage::Framing:
       return "framing the camera";
-    case Stage::Waiting:
+    case Stage::Uploading:
       break;
   }
-  return "waiting";
+  return "uploading to the GPU";
 }
 
 double SceneLoader::seconds() const {
@@ -69,6 +71,10 @@ double SceneLoader::seconds() const {
 }
 
 std::optional<ReadyScene> SceneLoader::poll() {
+  if (arrived_) {
+    wanted_.reset();
+    return std::exchange(arrived_, {});
+  }
   if (!job_.ready()) return {};
   if (stale_) {
     stale_ = false;
@@ -80,8 +86,14 @@ std::optional<ReadyScene> SceneLoader::poll() {
     if (wanted_) start();
     return {};
   }
-  wanted_.reset();
-  return job_.take();
+  try {
+    arrived_ = job_.take();
+  } catch (...) {
+    wanted_.reset();
+    throw;
+  }
+  stage_ = Stage::Uploading;
+  return {};
 }
 
 }  // namespace macula::tools

@@ -48,11 +48,12 @@ class SceneLoader {
   [[nodiscard]] std::string stage() const;
   [[nodiscard]] double seconds() const;
 
-  /// The scene, once. @throws InputError where it cannot be loaded
+  /// The scene, once. The call before it makes stage() say that the upload comes next, so that a
+  /// frame can show it. @throws InputError where it cannot be loaded
   [[nodiscard]] std::optional<ReadyScene> poll();
 
  private:
-  enum class Stage { Waiting, Reading, Framing };
+  enum class Stage { Reading, Framing, Uploading };
   struct Wanted {
     std::string name;
     passes::RenderSettings settings;
@@ -63,7 +64,8 @@ class SceneLoader {
 
   std::optional<Wanted> wanted_;
   bool stale_ = false;  ///< the job's result is not what is wanted any more
-  std::atomic<Stage> stage_ = Stage::Waiting;
+  std::optional<ReadyScene> arrived_;
+  std::atomic<Stage> stage_ = Stage::Reading;
   BackgroundJob<ReadyScene> job_;  ///< last: its destructor waits for the thread
 };
 

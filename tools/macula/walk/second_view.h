@@ -46,6 +46,7 @@ class SecondView {
   /// Moves the line of the split view where the user drags it, and draws it with the names of both
   /// methods. Between the frames of the UI.
   /// @param pointerFree whether no panel has the pointer
+  /// @param top of the names, in the UI's coordinates
   void drawOverlay(bool pointerFree, float top);
   [[nodiscard]] bool dragging() const { return dragging_; }
 

@@ -99,8 +99,10 @@ void WalkSession::loadingFrame() {
   ui_.endFrame();
   window_.swap();
   ++loadingFrames_;
-  // The first frame is on the screen, so that a pause for compiling programs is no empty window.
-  if (!machine_) {
+  // The panel is on the screen by now (its first frame only finds its size), so that a pause for
+  // compiling programs is no empty window.
+  constexpr int kFramesUntilSeen = 2;
+  if (!machine_ && loadingFrames_ >= kFramesUntilSeen) {
     machine_ = std::make_unique<passes::Machine>();
     renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *machine_);
     second_ = std::make_unique<SecondView>(options_.settings, *machine_);
@@ -210,9 +212,9 @@ void WalkSession::drawOverlays() {
       drawGazeCursor(events_.gaze, {window.x - picture.x, 0.0F}, picture);
     }
   }
-  constexpr float kNamesEms = 0.6F;
+  constexpr float kNamesEms = 5.0F;  // above the bar of keys, where no panel reaches
   if (!mapShown) {
-    second_->drawOverlay(!ui_.wantsPointer(), kNamesEms * ImGui::GetFontSize());
+    second_->drawOverlay(!ui_.wantsPointer(), window.y - kNamesEms * ImGui::GetFontSize());
   }
   const PanelInput input{events_, *renderer_, result_, options_.settings, scene_, camera_,
                          gaze_,   *second_,   errors_};
