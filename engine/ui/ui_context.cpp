@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,9 @@ bool UiContext::wantsPointer() const {
 }
 bool UiContext::wantsKeyboard() const {
   return ImGui::GetIO().WantTextInput;
+}
+void UiContext::leaveField() {
+  ImGui::ClearActiveID();
 }
 
 }  // namespace macula::ui

@@ -25,6 +25,9 @@ class UiContext {
   [[nodiscard]] bool wantsPointer() const;
   /// Whether what is typed goes into a text field.
   [[nodiscard]] bool wantsKeyboard() const;
+  /// Takes the keyboard from the field that has it; what was typed stays. Between beginFrame() and
+  /// endFrame().
+  void leaveField();
 };
 
 }  // namespace macula::ui

@@ -48,6 +48,11 @@ Window::Window(const Settings& settings) {
     const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
     if (self->drop_) self->drop_({paths, paths + count});
   });
+  // Whoever sets a callback later has to pass presses on, as Dear ImGui does.
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
+    const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
+    if (action == GLFW_PRESS && self->key_) self->key_(key, modifiers);
+  });
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(settings.vsync ? 1 : 0);
 }

@@ -38,6 +38,11 @@ class Window {
   /// Waits for an event, but no longer than this; then as pollEvents().
   void waitEvents(double seconds);
   void setTitle(const std::string& title);
+  /// Takes a key of GLFW that went down, and the GLFW_MOD_ bits that were held.
+  using KeyHandler = std::function<void(int key, int modifiers)>;
+  /// Called from pollEvents() and waitEvents(), for every press: a key that is down for less than
+  /// a frame counts too.
+  void onKey(KeyHandler handler) { key_ = std::move(handler); }
   /// Called from pollEvents() and waitEvents().
   void onDrop(DropHandler handler) { drop_ = std::move(handler); }
   void hide();
@@ -52,6 +57,7 @@ class Window {
  private:
   GLFWwindow* window_ = nullptr;
   DropHandler drop_;
+  KeyHandler key_;
 };
 
 /// Whether a display can be opened (X11 or Wayland).

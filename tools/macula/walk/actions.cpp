@@ -28,6 +28,7 @@ constexpr std::array kRows{
     ActionRow{Action::ToggleNumbers, "", GLFW_KEY_F9, "F9", kWindow, "times and numbers"},
     ActionRow{Action::Search, "", GLFW_KEY_SLASH, "/", kWindow, "search the settings"},
     ActionRow{Action::Close, "", GLFW_KEY_ESCAPE, "Esc", kWindow, "close, cancel"},
+    ActionRow{Action::Quit, "", 0, "Ctrl Q", kWindow, "leave"},
     ActionRow{Action::NextMethod, "", GLFW_KEY_M, "M", kPicture, "next method"},
     ActionRow{Action::NextHeatmap, "", GLFW_KEY_H, "H", kPicture, "next heat map"},
     ActionRow{Action::View, "", GLFW_KEY_B, "B", kPicture,

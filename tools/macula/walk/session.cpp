@@ -55,6 +55,7 @@ WalkSession::WalkSession(WalkOptions& options, window::Window& window, GazeSourc
   window.onDrop([this](const std::vector<std::string>& paths) {
     for (const std::string& path : paths) requests_.push_back({Action::Drop, path});
   });
+  window.onKey([this](int key, int modifiers) { readKey(key, modifiers); });
   loadScene(options.scene);
 }
 
@@ -80,7 +81,6 @@ void WalkSession::run() {
     }
     size_ = size;
     ui_.beginFrame();
-    readKeys();
     pollJobs();
     if (scene_.gpu) {
       frame();

@@ -64,7 +64,7 @@ class WalkSession {
   void measureErrors(const std::string& against);
 
   // session_requests.cpp: what the user asks for
-  void readKeys();
+  void readKey(int key, int modifiers);
   void grantRequests();
   void grant(const Request& request);
   void noteChange();

@@ -2,7 +2,6 @@
 #define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -44,20 +43,15 @@ bool isProcedural(const std::string& name) {
 
 }  // namespace
 
-void WalkSession::readKeys() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) && !ImGui::IsAnyItemActive()) {
-    requests_.push_back({Action::Close});
-  }
-  if (ui_.wantsKeyboard()) return;
-  if (io.KeyCtrl) {
-    if (ImGui::IsKeyPressed(GLFW_KEY_Q, false)) requests_.push_back({Action::Quit});
+void WalkSession::readKey(int key, int modifiers) {
+  // While a field is edited, keys are text.
+  if (ui_.wantsKeyboard() && key != GLFW_KEY_ESCAPE) return;
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+    if (key == GLFW_KEY_Q) requests_.push_back({Action::Quit});
     return;
   }
   for (const ActionRow& row : actionRows()) {
-    if (row.action != Action::Close && ImGui::IsKeyPressed(row.key, false)) {
-      requests_.push_back({row.action, std::string(row.argument)});
-    }
+    if (row.key == key) requests_.push_back({row.action, std::string(row.argument)});
   }
 }
 
@@ -182,6 +176,7 @@ void WalkSession::drop(const std::string& path) {
 }
 
 void WalkSession::close() {
+  if (ui_.wantsKeyboard()) return ui_.leaveField();
   if (!scene_.gpu) return window_.requestClose();
   if (loader_.busy()) {
     loader_.cancel();
