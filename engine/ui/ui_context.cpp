@@ -40,6 +40,16 @@ void addFont(float scale) {
   ImGui::GetIO().Fonts->AddFontDefault(&config);
 }
 
+/// Pixels of the framebuffer for each screen coordinate of the window.
+float pixelsPerCoordinate(GLFWwindow* window) {
+  int coordinates = 0;
+  int pixels = 0;
+  glfwGetWindowSize(window, &coordinates, nullptr);
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  if (coordinates <= 0 || pixels <= 0) return 1.0F;
+  return static_cast<float>(pixels) / static_cast<float>(coordinates);
+}
+
 }  // namespace
 
 UiContext::UiContext(GLFWwindow* window, float scale) {
@@ -51,8 +61,12 @@ UiContext::UiContext(GLFWwindow* window, float scale) {
     float scaleY = 1.0F;
     glfwGetWindowContentScale(window, &scale, &scaleY);
   }
-  applyStyle(scale);
+  // Where a screen coordinate is several pixels wide, the UI counts in those coordinates, and only
+  // the font's bitmap needs the pixels.
+  const float pixels = pixelsPerCoordinate(window);
+  applyStyle(scale / pixels);
   addFont(scale);
+  ImGui::GetIO().FontGlobalScale = 1.0F / pixels;
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 450 core");
 }

@@ -135,6 +135,16 @@ def test_scenes():
     numbers, _ = walk("switch", "1 scene hairball\n", "--no-panels")
     check(numbers["scene"] == "hairball", "switch: the scene is another one")
     check(numbers["loading_frames"] > 1, "switch: frames go on while a scene loads")
+    numbers, _ = walk("replaced", "1 scene hairball\n1 scene layers-2\n", "--no-panels")
+    check(numbers["scene"] == "layers-2", "a scene asked for later takes the place of one that loads")
+    numbers, _ = walk("cancelled", "1 scene hairball\n1 press Esc\n", "--no-panels")
+    check(numbers["scene"] == "layers-4" and "cancelled" in numbers["message"], "Esc ends loading")
+    numbers, _ = walk("reseeded", "1 set frame.seed=5\n", "--no-panels", scene="smoke")
+    check("--seed 5" in numbers["command_line"] and numbers["loading_frames"] > 1,
+          "a setting of the scene loads it anew")
+    numbers, _ = walk("no-sky", "1 set scene.environment=nowhere.hdr\n", "--no-panels")
+    check("nowhere.hdr" in numbers["message"] and "environment" not in numbers["command_line"],
+          "an environment that is not there is taken back")
     with open("no_log.csv", "w", encoding="utf-8") as f:
         f.write("a,b\n1,2\n")
     numbers, _ = walk("refused-log", "1 drop no_log.csv\n", gaze="mouse")

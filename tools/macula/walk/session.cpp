@@ -114,6 +114,7 @@ void WalkSession::frame() {
   grantRequests();
   prepareEvents(Clock::now());
   draw();
+  // From here to the swap events_ and result_ are whole: what a recording keeps of a frame.
   compose();
   takeStills();
   drawOverlays();
