@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -38,12 +39,16 @@ constexpr std::array<std::string_view, 9> kHints{"F1 panels",  "F2 keys",       
                                                  "H heat map", "B two methods", "X error",
                                                  "G gaze",     "P path",        "F12 picture"};
 
+/// Windows of fewer lines show only how to find all keys.
+constexpr float kLowLines = 26.0F;
+constexpr std::size_t kHintsWhereLow = 2;
+
 /// Items in as many lines as the width asks for, never cut within one.
-std::string hintText(float width) {
+std::string hintText(float width, std::size_t items) {
   constexpr const char* kGap = "    ";
   std::string text;
   std::string line;
-  for (const std::string_view item : kHints) {
+  for (const std::string_view item : std::span(kHints).first(items)) {
     const std::string longer = line.empty() ? std::string(item) : line + kGap + std::string(item);
     if (line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width) {
       line = longer;
@@ -59,7 +64,9 @@ std::string hintText(float width) {
 float drawHints() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  const std::string text = hintText(size.x - 2.0F * padding.x);
+  const bool low = size.y < kLowLines * ImGui::GetFontSize();
+  const std::string text =
+      hintText(size.x - 2.0F * padding.x, low ? kHintsWhereLow : kHints.size());
   const float height = ImGui::CalcTextSize(text.c_str()).y + padding.y;
   ImGui::SetNextWindowPos({0.0F, size.y - height});
   ImGui::SetNextWindowSize({size.x, height});
