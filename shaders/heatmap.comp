@@ -2,9 +2,9 @@
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
+#include "lib/viridis.glsl"
 #include "shared/bindings.h"
 #include "shared/oit_constants.h"
-#include "shared/viridis.h"
 
 #ifdef SOURCE_INTEGER
 layout(binding = TEX_INPUT0) uniform usampler2D source;
@@ -17,14 +17,6 @@ layout(location = 1) uniform int samplesPerAxis;
 #ifdef SOURCE_INTEGER
 layout(location = 2) uniform uint tailSlots;  // of a pixel that has a tail
 #endif
-
-vec3 viridis(float t) {
-  const vec3 points[VIRIDIS_POINTS] = vec3[](vec3(VIRIDIS_0), vec3(VIRIDIS_1), vec3(VIRIDIS_2),
-                                             vec3(VIRIDIS_3), vec3(VIRIDIS_4));
-  float x = clamp(t, 0.0, 1.0) * float(VIRIDIS_POINTS - 1);
-  int i = min(int(x), VIRIDIS_POINTS - 2);
-  return mix(points[i], points[i + 1], x - float(i));
-}
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);

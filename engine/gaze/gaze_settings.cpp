@@ -39,13 +39,24 @@ void registerPipeline(settings::Registry& registry, PipelineSettings& s) {
 
 }  // namespace
 
+LogOptions logOptionsOf(const GazeSettings& settings) {
+  LogOptions options = settings.log;
+  options.display = settings.display;
+  return options;
+}
+
 void registerSettings(settings::Registry& registry, GazeSettings& settings) {
+  registerSettings(registry, settings.log);
   registerPipeline(registry, settings.pipeline);
   registry.add({.key = "gaze.latencyMs",
                 .alias = "gaze-latency-ms",
                 .unit = "ms",
                 .help = "a frame knows gaze that is this much older"},
                settings.latencyMs, {.min = 0.0, .max = 10000.0});
+  constexpr double kMostMonitors = 16.0;
+  registry.add({.key = "gaze.monitor",
+                .help = "that a live tracker watches; 0: the one that the window is on"},
+               settings.monitor, {.min = 0.0, .max = kMostMonitors});
   registerSettings(registry, settings.display);
 }
 

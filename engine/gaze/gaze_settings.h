@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gaze/display.h"
+#include "engine/gaze/log_options.h"
 #include "engine/gaze/one_euro.h"
 #include "engine/gaze/saccade_detector.h"
 #include "engine/settings/registry.h"
@@ -35,9 +36,14 @@ struct PipelineSettings {
 
 struct GazeSettings {
   Display display;
+  LogOptions log;  ///< its display is not used: `display` is
   PipelineSettings pipeline;
   double latencyMs = 0.0;  ///< >= 0; a frame knows gaze that is this much older
+  int monitor = 0;  ///< that the tracker watches: 0 the one that the window is on, else the n-th
 };
+
+/// What a log is read by.
+[[nodiscard]] LogOptions logOptionsOf(const GazeSettings& settings);
 
 /// Registers all of them; `settings` must outlive the registry.
 void registerSettings(settings::Registry& registry, GazeSettings& settings);

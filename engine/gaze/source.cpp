@@ -93,7 +93,7 @@ std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, const GazeSet
   if (!std::filesystem::exists(spec, error)) {
     failInput("--gaze {}: no such file and no point; {}", spec, kAccepted);
   }
-  return std::make_unique<ReplayGaze>(readGazeLog(spec), settings);
+  return std::make_unique<ReplayGaze>(readGazeLog(spec, logOptionsOf(settings)), settings);
 }
 
 }  // namespace macula::gaze

@@ -51,7 +51,7 @@ void drawLegend(const Legend& legend) {
   label(0.5F, fmt::format("{:.4g}", 0.5 * legend.maximum));
   ImGui::SameLine();
   label(1.0F, fmt::format("{}{:.4g}", legend.mayExceed ? ">= " : "", legend.maximum));
-  ImGui::TextDisabled("grey: zero, or nothing transparent");
+  ImGui::TextDisabled("grey: %s", legend.grey.c_str());
 }
 
 }  // namespace macula::ui

@@ -1,9 +1,11 @@
 #include "engine/ui/settings_panel.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cfloat>
+#include <cctype>
+#include <sstream>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -17,6 +19,20 @@ using settings::Value;
 /// Share of a row that names the setting.
 constexpr float kNameShare = 0.36F;
 constexpr float kTooltipEms = 28.0F;  ///< width of a tooltip in heights of the font
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+/// All that a search looks at, in lower case.
+std::string searchedText(const Entry& entry) {
+  std::string text = entry.key() + '\n' + entry.alias() + '\n' + entry.unit() + '\n' + entry.help();
+  for (const std::string& choice : entry.choices()) text += '\n' + choice;
+  return lowered(text);
+}
 
 /// A setting's name below its group: "kAve" of "oit.kAve".
 std::string nameInGroup(const Entry& entry) {
@@ -48,10 +64,11 @@ bool SettingsPanel::isFixed(const Entry& entry) const {
   return std::find(fixed_.begin(), fixed_.end(), entry.key()) != fixed_.end();
 }
 
-void SettingsPanel::change(Entry& entry, const Value& value) {
+template <typename Setter>
+void SettingsPanel::tryToSet(Entry& entry, Setter&& setter) {
   const Value before = entry.get();
   try {
-    entry.set(value);
+    setter(entry);
   } catch (const InputError& error) {
     refusal_ = error.what();
     return;
@@ -60,20 +77,39 @@ void SettingsPanel::change(Entry& entry, const Value& value) {
   if (entry.get() != before) change_ = SettingChange{&entry, before};
 }
 
+void SettingsPanel::change(Entry& entry, const Value& value) {
+  tryToSet(entry, [&](Entry& setting) { setting.set(value); });
+}
+
+void SettingsPanel::assign(std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    failInput("'{}' sets nothing; write KEY=VALUE", oneLine(assignment));
+  }
+  const std::string key(assignment.substr(0, equals));
+  tryToSet(registry_.at(key, key),
+           [&](Entry& setting) { setting.setText(assignment.substr(equals + 1), setting.key()); });
+}
+
 void SettingsPanel::row(Entry& entry) {
   const bool fixed = isFixed(entry);
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushID(entry.key().c_str());
   ImGui::BeginGroup();
+  const std::string name = nameInGroup(entry);
   ImGui::AlignTextToFramePadding();
   if (entry.isDefault()) {
-    ImGui::TextUnformatted(nameInGroup(entry).c_str());
+    ImGui::TextUnformatted(name.c_str());
   } else {
-    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_PlotLines), "%s",
-                       nameInGroup(entry).c_str());
+    ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_PlotLines), "%s", name.c_str());
   }
-  ImGui::SameLine(kNameShare * width);  // from the left edge of the group
-  ImGui::SetNextItemWidth((1.0F - kNameShare) * width);
+  // A name too long for its column, in a narrow panel, has a line of its own.
+  if (ImGui::CalcTextSize(name.c_str()).x < kNameShare * width) {
+    ImGui::SameLine(kNameShare * width);  // from the left edge of the group
+    ImGui::SetNextItemWidth((1.0F - kNameShare) * width);
+  } else {
+    ImGui::SetNextItemWidth(width);
+  }
   ImGui::BeginDisabled(fixed);
   const std::optional<Value> chosen = drawSettingWidget(entry, pending_);
   ImGui::EndDisabled();
@@ -89,35 +125,70 @@ void SettingsPanel::row(const std::string& key) {
   row(registry_.at(key, key));
 }
 
-void SettingsPanel::groups() {
+void SettingsPanel::groupRows(const std::string& group, bool matchesOnly) {
+  ImGui::PushID(group.c_str());
+  for (Entry& entry : registry_.entries()) {
+    if (entry.group() == group && (!matchesOnly || matchesQuery(entry, query_))) row(entry);
+  }
+  ImGui::PopID();
+}
+
+void SettingsPanel::searchableGroups(std::span<const std::string_view> only) {
+  if (std::exchange(focusSearch_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  ImGui::InputTextWithHint("##search", "search settings", &query_);
   std::vector<std::string> names;
+  int hits = 0;
   for (const Entry& entry : registry_.entries()) {
+    if (!only.empty() && std::find(only.begin(), only.end(), entry.group()) == only.end()) continue;
+    if (!matchesQuery(entry, query_)) continue;
+    ++hits;
     if (std::find(names.begin(), names.end(), entry.group()) == names.end()) {
       names.push_back(entry.group());
     }
   }
+  const bool searching = query_.find_first_not_of(' ') != std::string::npos;
+  hits_ = searching ? std::optional<int>(hits) : std::nullopt;
+  if (hits == 0) ImGui::TextDisabled("no setting holds these words");
   for (const std::string& name : names) {
-    if (!ImGui::CollapsingHeader(name.c_str())) continue;
-    ImGui::PushID(name.c_str());
-    for (Entry& entry : registry_.entries()) {
-      if (entry.group() == name) row(entry);
+    if (searching) {
+      ImGui::TextDisabled("%s", name.c_str());
+    } else if (!ImGui::CollapsingHeader(name.c_str())) {
+      continue;
     }
-    ImGui::PopID();
+    groupRows(name, searching);
   }
 }
 
 void SettingsPanel::chooseNext(const std::string& key) {
   Entry& entry = registry_.at(key, key);
-  const std::vector<std::string>& choices = entry.choices();
+  if (entry.choices().empty() || isFixed(entry)) return;
+  const SettingChange cycle{&entry, entry.get(), true};
+  if (!cycle.advance()) return;
+  refusal_.clear();
+  change_ = cycle;
+}
+
+bool SettingChange::advance() const {
+  const std::vector<std::string>& choices = entry->choices();
   const auto present =
-      std::find(choices.begin(), choices.end(), settings::formatValue(entry.get()));
-  if (choices.empty() || isFixed(entry)) return;
+      std::find(choices.begin(), choices.end(), settings::formatValue(entry->get()));
   const bool last = present == choices.end() || present + 1 == choices.end();
-  change(entry, last ? choices.front() : *(present + 1));
+  entry->setText(last ? choices.front() : *(present + 1), entry->key());
+  return entry->get() != before;
 }
 
 std::optional<SettingChange> SettingsPanel::takeChange() {
   return std::exchange(change_, {});
+}
+
+bool matchesQuery(const Entry& entry, std::string_view query) {
+  const std::string text = searchedText(entry);
+  std::istringstream words(lowered(query));
+  for (std::string word; words >> word;) {
+    if (text.find(word) == std::string::npos) return false;
+  }
+  return true;
 }
 
 }  // namespace macula::ui

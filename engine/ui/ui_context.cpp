@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,18 +40,33 @@ void addFont(float scale) {
   ImGui::GetIO().Fonts->AddFontDefault(&config);
 }
 
+/// Pixels of the framebuffer for each screen coordinate of the window.
+float pixelsPerCoordinate(GLFWwindow* window) {
+  int coordinates = 0;
+  int pixels = 0;
+  glfwGetWindowSize(window, &coordinates, nullptr);
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  if (coordinates <= 0 || pixels <= 0) return 1.0F;
+  return static_cast<float>(pixels) / static_cast<float>(coordinates);
+}
+
 }  // namespace
 
-UiContext::UiContext(GLFWwindow* window) {
+UiContext::UiContext(GLFWwindow* window, float scale) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
-  float scaleX = 1.0F;
-  float scaleY = 1.0F;
-  glfwGetWindowContentScale(window, &scaleX, &scaleY);
-  applyStyle(scaleX);
-  addFont(scaleX);
+  if (scale <= 0.0F) {
+    float scaleY = 1.0F;
+    glfwGetWindowContentScale(window, &scale, &scaleY);
+  }
+  // Where a screen coordinate is several pixels wide, the UI counts in those coordinates, and only
+  // the font's bitmap needs the pixels.
+  const float pixels = pixelsPerCoordinate(window);
+  applyStyle(scale / pixels);
+  addFont(scale);
+  ImGui::GetIO().FontGlobalScale = 1.0F / pixels;
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 450 core");
 }
@@ -80,6 +96,9 @@ bool UiContext::wantsPointer() const {
 }
 bool UiContext::wantsKeyboard() const {
   return ImGui::GetIO().WantTextInput;
+}
+void UiContext::leaveField() {
+  ImGui::ClearActiveID();
 }
 
 }  // namespace macula::ui

@@ -10,7 +10,8 @@ namespace macula::ui {
 class UiContext {
  public:
   /// @param window its OpenGL context is current; it must outlive this object
-  explicit UiContext(GLFWwindow* window);
+  /// @param scale of text and distances; 0: the content scale of the window's monitor
+  explicit UiContext(GLFWwindow* window, float scale = 0.0F);
   ~UiContext();
   UiContext(const UiContext&) = delete;
   UiContext& operator=(const UiContext&) = delete;
@@ -24,6 +25,9 @@ class UiContext {
   [[nodiscard]] bool wantsPointer() const;
   /// Whether what is typed goes into a text field.
   [[nodiscard]] bool wantsKeyboard() const;
+  /// Takes the keyboard from the field that has it; what was typed stays. Between beginFrame() and
+  /// endFrame().
+  void leaveField();
 };
 
 }  // namespace macula::ui

@@ -41,6 +41,18 @@ Window::Window(const Settings& settings) {
         "a window",
         reason);
   }
+  glfwSetWindowSizeLimits(window_, settings.leastWidth, settings.leastHeight, GLFW_DONT_CARE,
+                          GLFW_DONT_CARE);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+    const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
+    if (self->drop_) self->drop_({paths, paths + count});
+  });
+  // Whoever sets a callback later has to pass presses on, as Dear ImGui does.
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
+    const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
+    if (action == GLFW_PRESS && self->key_) self->key_(key, modifiers);
+  });
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(settings.vsync ? 1 : 0);
 }
@@ -58,6 +70,18 @@ void Window::requestClose() {
 }
 void Window::pollEvents() {
   glfwPollEvents();
+}
+void Window::waitEvents(double seconds) {
+  glfwWaitEventsTimeout(seconds);
+}
+void Window::setTitle(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+void Window::hide() {
+  glfwHideWindow(window_);
+}
+void Window::setClipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
 }
 void Window::swap() {
   glfwSwapBuffers(window_);
@@ -78,6 +102,38 @@ glm::vec2 Window::pointer() const {
   glfwGetWindowSize(window_, &width, &height);
   // Screen coordinates on both sides, so the content scale cancels.
   return {static_cast<float>(x / width), static_cast<float>(y / height)};
+}
+
+Window::Placement Window::placement(int monitor) const {
+  Placement placement;
+  glm::ivec2 origin{0};
+  glm::ivec2 size{0};
+  glfwGetWindowPos(window_, &origin.x, &origin.y);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  placement.clientOrigin = origin;
+  placement.clientSize = size;
+  if (size.x > 0) placement.pixelsPerUnit = static_cast<double>(framebufferSize().x) / size.x;
+  const glm::dvec2 middle = placement.clientOrigin + 0.5 * placement.clientSize;
+
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    glm::ivec2 place{0};
+    glfwGetMonitorPos(monitors[i], &place.x, &place.y);
+    const glm::dvec2 low = place;
+    const glm::dvec2 extent{mode->width, mode->height};
+    const bool holds = glm::all(glm::greaterThanEqual(middle, low)) &&
+                       glm::all(glm::lessThan(middle, low + extent));
+    const bool first = placement.monitorSize.x <= 0.0;
+    if (monitor > 0 ? i < monitor : holds || first) {
+      placement.monitorOrigin = low;
+      placement.monitorSize = extent;
+      if (monitor == 0 && holds) break;
+    }
+  }
+  return placement;
 }
 
 bool Window::keyDown(int glfwKey) const {

@@ -19,7 +19,7 @@ TEST(HidGaze, KnowsItsSpecs) {
 
 TEST(HidGaze, ATrackerThatIsNotThereIsWaitedForAtTheCentre) {
   if (!hidSupported()) GTEST_SKIP() << "this build reads no HID devices (MACULA_HID=OFF)";
-  const auto gaze = openTracker("hid:fffe:fffe:no-such-serial", {}, 0.0);
+  const auto gaze = openTracker("hid:fffe:fffe:no-such-serial", {});
   const PointOfInterest point = gaze->at(0.0);
   EXPECT_EQ(point.state, GazeState::None);
   EXPECT_EQ(point.position, glm::vec2(0.5F));
@@ -31,7 +31,7 @@ TEST(HidGaze, ATrackerThatIsNotThereIsWaitedForAtTheCentre) {
 
 TEST(HidGaze, AProfileThatIsNotThereIsAnError) {
   if (!hidSupported()) GTEST_SKIP() << "this build reads no HID devices (MACULA_HID=OFF)";
-  EXPECT_THROW(static_cast<void>(openTracker("hid:/no/such.toml", {}, 0.0)), InputError);
+  EXPECT_THROW(static_cast<void>(openTracker("hid:/no/such.toml", {})), InputError);
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ void addOpaque(std::vector<Variant>& all) {
     addCombinations(all, "tonemap.comp", {{"TONEMAP", curve}, {"SSAA", "2"}}, {"LINEAR_OUT"});
   }
   addCombinations(all, "heatmap.comp", {{"SOURCE_CHANNEL", "g"}}, {"SOURCE_INTEGER"});
+  addCombinations(all, "difference.comp", {}, {});
   addCombinations(all, "time_source.comp", {}, {});
 }
 

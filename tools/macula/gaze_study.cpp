@@ -54,7 +54,7 @@ Json statistics(const std::vector<double>& errors) {
 }
 
 Json studyOf(const std::string& file, const Options& options) {
-  const gaze::GazeLog log = gaze::readGazeLog(file);
+  const gaze::GazeLog log = gaze::readGazeLog(file, gaze::logOptionsOf(options.settings));
   Json points = Json::array();
   for (const Way& way : kWays) {
     for (const double latency : options.latenciesMs) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -48,21 +50,48 @@ class HidReader final : public DeviceReader {
   std::vector<HidSample> samples_;
 };
 
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// The reader with the pipeline on it.
 class HidGaze final : public GazeSource {
  public:
-  HidGaze(TrackerChoice choice, const GazeSettings& settings, double hostStart)
-      : reader_(std::move(choice)), gaze_(reader_, settings, hostStart) {}
+  HidGaze(TrackerChoice choice, const GazeSettings& settings)
+      : reader_(std::move(choice)), settings_(settings) {}
 
-  [[nodiscard]] PointOfInterest at(double timeSeconds) override { return gaze_.at(timeSeconds); }
-  [[nodiscard]] std::string name() const override { return gaze_.name(); }
-  [[nodiscard]] SourceStatus status() const override { return gaze_.status(); }
-  void place(const WindowPlacement& placement) override { gaze_.place(placement); }
-  void onSample(SampleListener listener) override { gaze_.onSample(std::move(listener)); }
+  [[nodiscard]] PointOfInterest at(double timeSeconds) override {
+    if (!gaze_) {
+      gaze_.emplace(reader_, settings_, steadySeconds() - timeSeconds);
+      gaze_->place(placement_);
+      gaze_->onSample(std::move(listener_));
+    }
+    return gaze_->at(timeSeconds);
+  }
+  [[nodiscard]] std::string name() const override { return reader_.name(); }
+  [[nodiscard]] SourceStatus status() const override {
+    if (gaze_) return gaze_->status();
+    SourceStatus status;
+    status.live = true;
+    status.connected = reader_.connected();
+    status.message = reader_.message();
+    return status;
+  }
+  void place(const WindowPlacement& placement) override {
+    placement_ = placement;
+    if (gaze_) gaze_->place(placement);
+  }
+  void onSample(SampleListener listener) override {
+    if (gaze_) return gaze_->onSample(std::move(listener));
+    listener_ = std::move(listener);
+  }
 
  private:
   HidReader reader_;
-  LiveGaze gaze_;
+  GazeSettings settings_;
+  WindowPlacement placement_;
+  SampleListener listener_;
+  std::optional<LiveGaze> gaze_;  ///< from the first question on
 };
 
 TrackerChoice choiceOf(std::string_view name) {
@@ -81,14 +110,13 @@ bool isTrackerSpec(std::string_view spec) {
          (spec.starts_with(kPrefix) && spec.substr(kPrefix.size()).starts_with(':'));
 }
 
-std::unique_ptr<GazeSource> openTracker(const std::string& spec, const GazeSettings& settings,
-                                        double hostStart) {
+std::unique_ptr<GazeSource> openTracker(const std::string& spec, const GazeSettings& settings) {
   if (!hidSupported()) {
     failInput("--gaze {}: this build reads no HID devices; build with -DMACULA_HID=ON", spec);
   }
   const std::size_t named = kPrefix.size() + 1;
   const std::string name = spec.size() > named ? spec.substr(named) : std::string();
-  return std::make_unique<HidGaze>(choiceOf(name), settings, hostStart);
+  return std::make_unique<HidGaze>(choiceOf(name), settings);
 }
 
 }  // namespace macula::gaze::hid

@@ -14,12 +14,11 @@ namespace macula::gaze::hid {
 /// `hid:SERIAL`, or `hid:FILE.toml` for a device with a profile.
 [[nodiscard]] bool isTrackerSpec(std::string_view spec);
 
-/// @param hostStart the steady clock in seconds at time 0 of at()
+/// Time 0 of at() is set by the first call: its time is now by the steady clock.
 /// @throws InputError where this build reads no HID devices, or a profile is wrong. A tracker that
 /// is
 ///   not there is no error: it is waited for, and status() says so.
 [[nodiscard]] std::unique_ptr<GazeSource> openTracker(const std::string& spec,
-                                                      const GazeSettings& settings,
-                                                      double hostStart);
+                                                      const GazeSettings& settings);
 
 }  // namespace macula::gaze::hid

@@ -20,11 +20,15 @@ class FlyCamera {
   /// @param sceneRadius metres, > 0; speed and planes follow from it
   FlyCamera(const scene::Camera& start, float sceneRadius);
 
+  /// Goes to another camera's place, heading and field of view; its roll is not kept.
+  void place(const scene::Camera& camera);
   /// @param seconds since the last frame, >= 0
   void advance(const Motion& motion, float seconds);
   void reset();
   /// Multiplies the speed, within bounds.
   void scaleSpeed(float factor);
+  [[nodiscard]] float speed() const { return speed_; }  ///< times that of a new scene
+  [[nodiscard]] float sceneRadius() const { return radius_; }
 
   [[nodiscard]] scene::Camera camera() const;
 
@@ -33,6 +37,7 @@ class FlyCamera {
 
   scene::Camera start_;
   float radius_;
+  float fov_ = 0.0F;    ///< vertical, radians
   float speed_ = 1.0F;  ///< times the speed that suits the scene's size
   glm::vec3 position_{0.0F};
   float yaw_ = 0.0F;    ///< radians; 0 looks along -z, positive turns right

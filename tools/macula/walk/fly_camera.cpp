@@ -1,4 +1,4 @@
-#include "walk_camera.h"
+#include "walk/fly_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,13 @@ FlyCamera::FlyCamera(const scene::Camera& start, float sceneRadius)
 }
 
 void FlyCamera::reset() {
-  const glm::vec3 view = glm::normalize(start_.target - start_.position);
-  position_ = start_.position;
+  place(start_);
+}
+
+void FlyCamera::place(const scene::Camera& camera) {
+  const glm::vec3 view = glm::normalize(camera.target - camera.position);
+  position_ = camera.position;
+  fov_ = camera.verticalFov;
   yaw_ = std::atan2(view.x, -view.z);
   pitch_ = std::clamp(std::asin(std::clamp(view.y, -1.0F, 1.0F)), -kSteepest, kSteepest);
 }
@@ -62,6 +67,7 @@ scene::Camera FlyCamera::camera() const {
   camera.position = position_;
   camera.target = position_ + ahead();
   camera.up = {0.0F, 1.0F, 0.0F};
+  camera.verticalFov = fov_;
   return camera;
 }
 

@@ -12,7 +12,7 @@
 #include "engine/window/window.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
-#include "walk_options.h"
+#include "walk/options.h"
 
 namespace macula::tools {
 
@@ -29,7 +29,7 @@ struct RecordStart {
 [[nodiscard]] RecordStart recordStartOf(const WalkOptions& options, const window::Window& window);
 
 /// What a renderer does not know about a frame that it has drawn.
-struct FrameEvents {
+struct RecordedFrame {
   double timeSeconds = 0.0;  ///< of the frame, since the session's start
   /// Where another scene was set since the last frame: which.
   const recording::SceneSource* scene = nullptr;
@@ -48,13 +48,10 @@ class WalkRecorder {
 
   /// To be called after each frame of that renderer. Images that are drawn beside the walk belong
   /// to a renderer of their own: frames in between are noticed, but cannot be replayed.
-  void frame(const FrameEvents& events, const passes::FrameRenderer& renderer);
+  void frame(const RecordedFrame& events, const passes::FrameRenderer& renderer);
   /// To be called for each sample of the gaze as it came.
   /// @param sample its time is that since the session's start
   void raw(const gaze::GazeSample& sample) { writer_.raw(sample); }
-  /// The same for a place of the pointer, which counts as a valid sample wherever it is.
-  /// @param place 0..1 of the window from the top left
-  void pointer(double timeSeconds, const glm::dvec2& place);
 
   [[nodiscard]] std::uint64_t frames() const { return frame_.index; }
 

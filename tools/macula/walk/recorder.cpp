@@ -1,4 +1,4 @@
-#include "walk_recorder.h"
+#include "walk/recorder.h"
 
 #define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
 #include <GLFW/glfw3.h>
@@ -69,14 +69,6 @@ WalkRecorder::WalkRecorder(const RecordStart& start, const settings::Registry& r
   renderer.restart();
 }
 
-void WalkRecorder::pointer(double timeSeconds, const glm::dvec2& place) {
-  gaze::GazeSample sample;
-  sample.timeSeconds = timeSeconds;
-  sample.position = place;
-  sample.valid = true;
-  raw(sample);
-}
-
 void WalkRecorder::noteSettings() {
   frame_.settings.clear();
   auto before = values_.begin();
@@ -100,7 +92,7 @@ void WalkRecorder::noteSteps(const passes::RendererSteps& steps) {
   steps_ = steps;
 }
 
-void WalkRecorder::frame(const FrameEvents& events, const passes::FrameRenderer& renderer) {
+void WalkRecorder::frame(const RecordedFrame& events, const passes::FrameRenderer& renderer) {
   if (renderer.steps().frames == steps_.frames) return;  // nothing was drawn
   noteSettings();
   noteSteps(renderer.steps());

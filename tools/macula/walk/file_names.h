@@ -1,0 +1,24 @@
+// Files that a walk reads and writes: which a folder holds, and names that are not taken yet.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace macula::tools {
+
+/// Whether a path ends in .glb or .gltf, in any case.
+[[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
+/// Whether a path ends as the camera paths and gaze logs do that this program reads: by content,
+/// a camera path begins with its header.
+[[nodiscard]] bool isCameraPathFile(const std::filesystem::path& path);
+
+/// The scene files of a folder, by name; none where it cannot be read. At most 1000.
+[[nodiscard]] std::vector<std::filesystem::path> sceneFiles(const std::filesystem::path& folder);
+
+/// PREFIX_001.EXTENSION with the least number that no file has.
+[[nodiscard]] std::filesystem::path nextFreeName(const std::string& prefix,
+                                                 std::string_view extension);
+
+}  // namespace macula::tools

@@ -1,0 +1,129 @@
+// Panels: the view and settings tabs, and the numbers.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "engine/ui/legend.h"
+#include "engine/ui/widgets.h"
+#include "walk/panels.h"
+
+namespace macula::tools {
+namespace {
+
+struct MapWords {
+  std::string_view map;
+  const char* quantity;
+  bool mayExceed;
+};
+
+constexpr std::array kMapWords{
+    MapWords{"k", "k(p): slots of each sample", true},
+    MapWords{"depth-complexity", "transparent fragments of each sample", true},
+    MapWords{"importance", "importance, Eq. 6", false},
+    MapWords{"periphery", "periphery factor, Eq. 4", false},
+    MapWords{"depth-factor", "depth complexity factor, Eq. 3", false},
+    MapWords{"fresnel", "Fresnel factor, Eq. 5", false},
+};
+
+void drawHeatmapLegend(const PanelInput& input) {
+  const std::string& map = input.settings.heatmap.map;
+  const auto words = std::find_if(kMapWords.begin(), kMapWords.end(),
+                                  [&](const MapWords& row) { return row.map == map; });
+  if (words == kMapWords.end()) return;
+  for (const frame::PassReport& pass : input.renderer.report()) {
+    if (pass.name == "heatmap" && !pass.runs) {
+      ui::note(fmt::format("Not shown: {}.", pass.reason), ui::Tone::Warning);
+      return;
+    }
+  }
+  ui::drawLegend({words->quantity,
+                  passes::heatmapRange(input.settings.heatmap, input.renderer.plan()),
+                  words->mayExceed});
+}
+
+void drawFragments(const passes::FrameResult& result) {
+  if (!result.fragments) {
+    ImGui::TextDisabled("fragments are not counted by this method");
+    return;
+  }
+  ui::nameValue("fragments", ui::countText(result.fragments->generated));
+  ui::nameValue("  stored", ui::countText(result.fragments->stored));
+  if (result.fragments->merged > 0) {
+    ui::nameValue("  merged", ui::countText(result.fragments->merged));
+  }
+  const auto generated =
+      static_cast<double>(std::max<std::uint64_t>(1, result.fragments->generated));
+  constexpr double kPercent = 100.0;
+  ui::nameValue("  lost",
+                fmt::format("{} ({:.1f} %)", ui::countText(result.fragments->lost),
+                            kPercent * static_cast<double>(result.fragments->lost) / generated));
+  ui::nameValue("deepest sample", std::to_string(result.deepest));
+  if (result.layers) {
+    ui::nameValue("k least, mean, most", fmt::format("{}, {:.2f}, {}", result.layers->min,
+                                                     result.layers->mean, result.layers->max));
+  }
+}
+
+}  // namespace
+
+void Panels::drawViewTab(const PanelInput& input, Requests& requests) {
+  const passes::Method& method = *input.renderer.plan().method;
+  const glm::ivec2 size = input.renderer.outputSize();
+  ui::nameValue(input.scene.name, fmt::format("{} x {}", size.x, size.y));
+  panel_.row("oit.method");
+  ui::note(method.summary);
+  if (method.hasBudget()) {
+    panel_.row("oit.kAve");
+    panel_.row("oit.memoryMiB");
+    panel_.row("oit.tail");
+  }
+  if (method.allocation == passes::Allocation::ImportanceMap) {
+    panel_.row("oit.fill");
+    panel_.row("oit.importance");
+  }
+  panel_.row("view.heatmap");
+  drawHeatmapLegend(input);
+  panel_.row("tonemap.exposure");
+  ImGui::Separator();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  ImGui::InputTextWithHint("##picture", "name of the picture; empty: macula_001, ...",
+                           &state_.pictureField);
+  const auto fileName = [&](const char* extension) {
+    return state_.pictureField.empty() ? std::string() : state_.pictureField + extension;
+  };
+  if (ui::flowButton("PNG", true)) requests.push_back({Action::Png, fileName(".png")});
+  if (ui::flowButton("EXR, linear", false)) requests.push_back({Action::Exr, fileName(".exr")});
+  if (ui::flowButton("copy as command", false)) requests.push_back({Action::CopyCommand});
+}
+
+void Panels::drawSettingsTab(Requests& requests) {
+  if (ui::flowButton("copy as command", true)) requests.push_back({Action::CopyCommand});
+  panel_.searchableGroups();
+}
+
+void Panels::drawNumbers(const PanelInput& input) {
+  const passes::FrameRenderer& renderer = input.renderer;
+  timeline_.draw();
+  ImGui::Separator();
+  drawFragments(input.result);
+  ui::nameValue("every fragment shown", input.result.exact ? "yes" : "no",
+                input.result.exact ? ui::Tone::Good : ui::Tone::Warning);
+  if (input.result.lockFailures > 0) {
+    ui::nameValue("locks given up", ui::countText(input.result.lockFailures), ui::Tone::Warning);
+  }
+  ImGui::Separator();
+  const frame::ResourceBytes bytes = renderer.bytes();
+  ui::nameValue("fragment storage", ui::bytesText(bytes.oit));
+  if (renderer.plan().budgetBytes) {
+    ui::nameValue("  budget", ui::bytesText(*renderer.plan().budgetBytes));
+  }
+  ui::nameValue("counts and maps", ui::bytesText(bytes.overhead));
+  ui::nameValue("G-buffer", ui::bytesText(bytes.gbuffer));
+  ui::nameValue("other images", ui::bytesText(bytes.other));
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,106 @@
+#include "walk/report.h"
+
+#include <algorithm>
+
+namespace macula::tools {
+
+using frame::Resource;
+using nlohmann::ordered_json;
+
+std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 place,
+                            int samplesPerAxis) {
+  if (!renderer.resources().has(Resource::FragmentRange)) return {};
+  constexpr int kHalfSide = 32;
+  const gl::Texture& ranges = renderer.resources().texture(Resource::FragmentRange);
+  const glm::ivec2 size(ranges.width(), ranges.height());
+  // GL counts rows from the bottom.
+  const glm::ivec2 center(glm::vec2(place.x, 1.0F - place.y) * glm::vec2(size));
+  const int half = kHalfSide * samplesPerAxis;
+  const glm::ivec2 low = glm::clamp(center - half, glm::ivec2(0), size - 1);
+  const glm::ivec2 extent = glm::clamp(center + half, low + 1, size) - low;
+  const std::size_t count = static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
+  std::vector<glm::uvec2> texels(count);  // first slot, k
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureSubImage(ranges.id(), 0, low.x, low.y, 0, extent.x, extent.y, 1, GL_RG_INTEGER,
+                       GL_UNSIGNED_INT, static_cast<GLsizei>(count * sizeof(glm::uvec2)),
+                       texels.data());
+  double sum = 0.0;
+  for (const glm::uvec2& texel : texels) sum += texel.y;
+  return sum / static_cast<double>(count);
+}
+
+namespace {
+
+ordered_json fragmentsOf(const passes::FrameResult& result) {
+  if (!result.fragments) return nullptr;
+  return {{"generated", result.fragments->generated},
+          {"stored", result.fragments->stored},
+          {"merged", result.fragments->merged},
+          {"lost", result.fragments->lost}};
+}
+
+ordered_json secondOf(const SecondView& second) {
+  if (!second.shown()) return nullptr;
+  return {{"view", viewModeNames()[static_cast<std::size_t>(second.mode())]},
+          {"method", second.settings().oit.method},
+          {"difference_scale", second.differenceScale()},
+          {"fragments", fragmentsOf(second.result())}};
+}
+
+ordered_json errorOf(const ErrorCheck& errors) {
+  if (!errors.result()) return nullptr;
+  ordered_json json = measure::toJson(errors.result()->error);
+  json["reference"] = errors.result()->referenceName;
+  json["test"] = errors.result()->testName;
+  return json;
+}
+
+ordered_json placeOf(glm::vec3 place) {
+  return ordered_json::array({place.x, place.y, place.z});
+}
+
+}  // namespace
+
+ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>& probes) {
+  const gaze::PointOfInterest& point = report.events.gaze;
+  ordered_json json{{"schema", 1},
+                    {"frames", report.frames},
+                    {"loading_frames", report.loadingFrames},
+                    {"scene", report.events.scene},
+                    {"width", report.events.windowSize.x},
+                    {"height", report.events.windowSize.y},
+                    {"method", report.settings.oit.method}};
+  json["gaze"] = {{"x", point.position.x},
+                  {"y", point.position.y},
+                  {"state", gaze::stateName(point.state)},
+                  {"source", report.gazeSource}};
+  json["camera"] = {{"position", placeOf(report.events.camera.position)},
+                    {"target", placeOf(report.events.camera.target)},
+                    {"playing", report.playing}};
+  json["ms"] = {{"total", report.result.totalMs}};
+  for (const frame::PassTime& pass : report.result.passes) {
+    json["ms"][std::string(pass.name)] = pass.ms;
+  }
+  json["fragments"] = fragmentsOf(report.result);
+  json["k"] = nullptr;
+  if (const auto& layers = report.result.layers) {
+    json["k"] = {{"min", layers->min}, {"max", layers->max}, {"mean", layers->mean}};
+  }
+  json["second"] = secondOf(report.second);
+  json["error"] = errorOf(report.errors);
+  json["tab"] = report.tab;
+  json["search_hits"] = nullptr;
+  if (report.searchHits) json["search_hits"] = *report.searchHits;
+  json["message"] = report.message;
+  json["command_line"] = report.commandLine;
+  json["probes"] = ordered_json::array();
+  for (const glm::vec2& probe : probes) {
+    const std::optional<double> mean = meanK(report.renderer, probe, report.settings.tonemap.ssaa);
+    json["probes"].push_back({{"x", probe.x}, {"y", probe.y}, {"k_mean", nullptr}});
+    if (mean) json["probes"].back()["k_mean"] = *mean;
+  }
+  return json;
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,44 @@
+// The numbers of the last frame of a walk, for `--json`.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "passes/frame_renderer.h"
+#include "walk/error_check.h"
+#include "walk/frame_events.h"
+#include "walk/second_view.h"
+
+namespace macula::tools {
+
+/// Mean k(p) over a square of up to 64 x 64 pixels around a place of the last frame, cut off at the
+/// image's edges; none where the method stores no fragments.
+/// @param place 0..1 of the window from the top left
+[[nodiscard]] std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 place,
+                                          int samplesPerAxis);
+
+/// What a report is made of.
+struct WalkReport {
+  const passes::FrameRenderer& renderer;
+  const passes::FrameResult& result;
+  const passes::RenderSettings& settings;
+  const FrameEvents& events;
+  const SecondView& second;
+  const ErrorCheck& errors;
+  std::string gazeSource;
+  std::string tab;  ///< that is open; empty: panels are hidden
+  std::optional<int> searchHits;
+  std::string message;  ///< the last one that was shown
+  std::string commandLine;
+  int frames = 0;         ///< drawn while nothing was loading or being measured
+  int loadingFrames = 0;  ///< drawn while a scene was loading
+  bool playing = false;   ///< a camera path
+};
+
+[[nodiscard]] nlohmann::ordered_json describeWalk(const WalkReport& report,
+                                                  const std::vector<glm::vec2>& probes);
+
+}  // namespace macula::tools

@@ -1,0 +1,289 @@
+#include "walk/session.h"
+
+#define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common.h"
+#include "engine/core/error.h"
+#include "engine/image/image.h"
+#include "engine/recording/scene_source.h"
+#include "engine/recording/writer.h"
+#include "walk/gaze_cursor.h"
+#include "walk/report.h"
+
+namespace macula::tools {
+namespace {
+
+constexpr float kRadiansPerHeight = 1.6F;  ///< turn for a drag over the window's height
+constexpr float kRadiansPerSecond = 1.2F;  ///< turn by the arrow keys
+constexpr float kWheelStep = 1.2F;         ///< factor of the speed for a notch of the wheel
+/// A minimised window looks for its return this often.
+constexpr double kMinimisedWaitSeconds = 0.1;
+/// Between two frames of a window that only says what it loads.
+constexpr double kLoadingWaitSeconds = 1.0 / 60.0;
+constexpr glm::vec3 kLoadingColor{0.05F, 0.055F, 0.07F};
+
+float secondsBetween(std::chrono::steady_clock::time_point a,
+                     std::chrono::steady_clock::time_point b) {
+  return std::chrono::duration<float>(b - a).count();
+}
+
+std::vector<glm::vec2> parseProbes(const std::vector<std::string>& texts) {
+  std::vector<glm::vec2> probes;
+  for (const std::string& text : texts) probes.push_back(parsePlace("--probe", text));
+  return probes;
+}
+
+}  // namespace
+
+WalkSession::WalkSession(WalkOptions& options, window::Window& window, GazeSources gazeSources)
+    : options_(options),
+      window_(window),
+      probes_(parseProbes(options.probes)),
+      script_(options.script.empty() ? Script() : readScript(options.script)),
+      ui_(window.handle(), static_cast<float>(options.uiScale)),
+      gaze_(std::move(gazeSources), options.gazeSettings),
+      panels_(options.registry, !options.hidePanels, options.panel) {
+  gaze_.cursorShown = !options.hidePanels;
+  if (!options.camera.empty() && options.camera != "auto" && options.camera != "scene") {
+    (void)scene::readCameraPath(options.camera);  // what is wrong with it is said at once
+  }
+  gaze_.choose(options.gaze);
+  window.onDrop([this](const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) requests_.push_back({Action::Drop, path});
+  });
+  window.onKey([this](int key, int modifiers) { readKey(key, modifiers); });
+  loadScene(options.scene);
+}
+
+bool WalkSession::done() const {
+  return window_.shouldClose() || (options_.frames > 0 && frames_ >= options_.frames);
+}
+
+bool WalkSession::busy() const {
+  return loader_.busy() || !gaze_.opening().empty() || errors_.busy() || picture_.busy();
+}
+
+void WalkSession::run() {
+  while (!done()) {
+    if (scene_.gpu) {
+      window_.pollEvents();
+    } else {
+      window_.waitEvents(kLoadingWaitSeconds);
+    }
+    const glm::ivec2 size = window_.framebufferSize();
+    if (size.x <= 0 || size.y <= 0) {
+      glfwWaitEventsTimeout(kMinimisedWaitSeconds);
+      continue;
+    }
+    size_ = size;
+    ui_.beginFrame();
+    pollJobs();
+    if (scene_.gpu) {
+      frame();
+    } else {
+      loadingFrame();
+    }
+  }
+  // A thread that still reads is waited for, but not in sight.
+  window_.hide();
+}
+
+void WalkSession::loadingFrame() {
+  grantRequests();
+  screen_.clear(kLoadingColor);
+  if (loader_.busy()) panels_.drawLoading(loader_, false, requests_);
+  ui_.endFrame();
+  window_.swap();
+  ++loadingFrames_;
+  // The panel is on the screen by now (its first frame only finds its size), so that a pause for
+  // compiling programs is no empty window.
+  constexpr int kFramesUntilSeen = 2;
+  if (!machine_ && loadingFrames_ >= kFramesUntilSeen) {
+    machine_ = std::make_unique<passes::Machine>();
+    renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *machine_);
+    second_ = std::make_unique<SecondView>(options_.settings, *machine_);
+  }
+}
+
+void WalkSession::frame() {
+  script_.due(frames_, requests_);
+  grantRequests();
+  prepareEvents(Clock::now());
+  if (!options_.record.empty() && !recorder_) beginRecording();
+  draw();
+  if (recorder_) record();
+  compose();
+  takeStills();
+  drawOverlays();
+  if (loader_.busy()) ++loadingFrames_;
+  // A frame that waits for a thread does not count, so that scripts and --frames mean the same on
+  // any machine.
+  if (!busy()) ++frames_;
+  ui_.endFrame();
+  // A window that is closed has drawn its last frame as well.
+  if (done()) finish();
+  window_.swap();
+  events_.changed.clear();
+  events_.sceneChanged = false;
+  ++events_.index;
+}
+
+void WalkSession::prepareEvents(Clock::time_point now) {
+  events_.timeSeconds = std::chrono::duration<double>(now - begin_).count();
+  events_.deltaSeconds = secondsBetween(last_, now);
+  last_ = now;
+  events_.windowSize = size_;
+  events_.pictureSize = second_->pictureSize(size_);
+  events_.resized = events_.pictureSize != pictureSize_;
+  pictureSize_ = events_.pictureSize;
+  steer(events_.deltaSeconds);
+  followPointer();
+  placeGaze();
+  events_.gaze = gaze_.at(events_.timeSeconds);
+  events_.camera = camera_.camera();
+  events_.cut = camera_.takeCut();
+  events_.scene = scene_.name;
+}
+
+void WalkSession::lookAround(bool wanted) {
+  if (wanted == looking_) return;
+  looking_ = wanted;
+  // Hidden and free of the window's edges while it turns the camera; back in its place afterwards.
+  glfwSetInputMode(window_.handle(), GLFW_CURSOR,
+                   wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+  lastPointer_ = window_.pointer();
+}
+
+void WalkSession::steer(float seconds) {
+  const bool rightButton = window_.mouseDown(GLFW_MOUSE_BUTTON_RIGHT);
+  // A press that began on a panel belongs to the panel.
+  lookAround(rightButton && (looking_ || !ui_.wantsPointer()));
+  FlyCamera::Motion motion;
+  if (looking_) {
+    const glm::vec2 pointer = window_.pointer();
+    const glm::vec2 moved = pointer - lastPointer_;
+    const float aspect = static_cast<float>(size_.x) / static_cast<float>(size_.y);
+    motion.turn = kRadiansPerHeight * glm::vec2(moved.x * aspect, -moved.y);
+    lastPointer_ = pointer;
+  }
+  if (!ui_.wantsPointer()) {
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0F) camera_.scaleSpeed(std::pow(kWheelStep, wheel));
+  }
+  if (!ui_.wantsKeyboard() && !ImGui::GetIO().KeyCtrl) {
+    const auto axis = [&](int positive, int negative) {
+      return static_cast<float>(window_.keyDown(positive)) -
+             static_cast<float>(window_.keyDown(negative));
+    };
+    motion.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
+                   axis(GLFW_KEY_W, GLFW_KEY_S)};
+    motion.turn += kRadiansPerSecond * seconds *
+                   glm::vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
+    motion.fast = window_.keyDown(GLFW_KEY_LEFT_SHIFT) || window_.keyDown(GLFW_KEY_RIGHT_SHIFT);
+  }
+  camera_.advance(motion, seconds);
+}
+
+void WalkSession::followPointer() {
+  // Over a panel the viewer reads the panel: what was looked at before stays in view beside it.
+  if (looking_ || ui_.wantsPointer()) return;
+  glm::vec2 pointer = window_.pointer();
+  const bool inside = glm::all(glm::greaterThanEqual(pointer, glm::vec2(0.0F))) &&
+                      glm::all(glm::lessThanEqual(pointer, glm::vec2(1.0F)));
+  // Until the pointer has been in the window, nobody can have meant anything by it.
+  pointerSeen_ = pointerSeen_ || inside;
+  // Side by side, either half is a whole picture.
+  if (inside && second_->mode() == ViewMode::SideBySide) {
+    pointer.x = std::min(2.0F * pointer.x - (pointer.x >= 0.5F ? 1.0F : 0.0F), 1.0F);
+  }
+  if (pointerSeen_) gaze_.movePointer(pointer, events_.timeSeconds);
+}
+
+void WalkSession::drawOverlays() {
+  // The UI counts in screen coordinates, which the content scale may tell from pixels.
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const glm::vec2 window(display.x, display.y);
+  const glm::vec2 picture = window * glm::vec2(pictureSize_) / glm::vec2(size_);
+  const bool mapShown = errors_.map() != ErrorCheck::Map::None;
+  if (gaze_.cursorShown && !mapShown) {
+    drawGazeCursor(events_.gaze, glm::vec2(0.0F), picture);
+    if (second_->mode() == ViewMode::SideBySide) {
+      drawGazeCursor(events_.gaze, {window.x - picture.x, 0.0F}, picture);
+    }
+  }
+  constexpr float kNamesEms = 5.0F;  // above the bar of keys, where no panel reaches
+  if (!mapShown) {
+    second_->drawOverlay(!ui_.wantsPointer(), window.y - kNamesEms * ImGui::GetFontSize());
+  }
+  const PanelInput input{events_, *renderer_, result_, options_.settings, scene_, camera_,
+                         gaze_,   *second_,   errors_};
+  panels_.draw(input, requests_);
+  if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
+  if (panels_.drawMessage(message_ ? &*message_ : nullptr)) message_.reset();
+}
+
+void WalkSession::finish() {
+  if (!options_.screenshot.empty()) image::writePng(options_.screenshot, readScreen(size_));
+  if (options_.json.empty()) return;
+  WalkReport report{
+      .renderer = *renderer_,
+      .result = result_,
+      .settings = options_.settings,
+      .events = events_,
+      .second = *second_,
+      .errors = errors_,
+      .gazeSource = gaze_.spec(),
+      .tab = panels_.shown() ? panels_.tab() : std::string(),
+      .searchHits = panels_.settings().hits(),
+      .message = lastMessage_,
+      .commandLine = commandLine(),
+      .frames = frames_,
+      .loadingFrames = loadingFrames_,
+      .playing = camera_.playing(),
+  };
+  writeJson(options_.json, describeWalk(report, probes_));
+}
+
+void WalkSession::placeGaze() {
+  const window::Window::Placement p = window_.placement(options_.gazeSettings.monitor);
+  gaze_.place({.monitorOrigin = p.monitorOrigin,
+               .monitorSize = p.monitorSize,
+               .clientOrigin = p.clientOrigin,
+               .clientSize = p.clientSize,
+               .pixelsPerUnit = p.pixelsPerUnit});
+}
+
+void WalkSession::beginRecording() {
+  recorder_.emplace(recordStartOf(options_, window_), options_.registry, *machine_, *renderer_);
+  gaze_.onSample([this](const gaze::GazeSample& sample) { recorder_->raw(sample); });
+}
+
+void WalkSession::record() {
+  // A scene that was loaded anew may be another by its settings, or by what is in its file now.
+  std::optional<recording::SceneSource> scene;
+  if (events_.sceneChanged && recorder_->frames() > 0) scene = recording::sourceOf(events_.scene);
+  recorder_->frame({.timeSeconds = events_.timeSeconds, .scene = scene ? &*scene : nullptr},
+                   *renderer_);
+}
+
+void walk(WalkOptions& options) {
+  // Panels need this much; a smaller window that was asked for is left as it is.
+  constexpr int kLeastWidth = 640;
+  constexpr int kLeastHeight = 480;
+  const glm::ivec2 size = parseSize(options.size);
+  if (!options.record.empty()) recording::makeRecordingFolder(options.record);
+  window::Window window({.width = size.x,
+                         .height = size.y,
+                         .title = fmt::format("Macula: loading {}", oneLine(options.scene)),
+                         .leastWidth = std::min(size.x, kLeastWidth),
+                         .leastHeight = std::min(size.y, kLeastHeight)});
+  WalkSession(options, window, allGazeSources(options.gazeSettings)).run();
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,131 @@
+// A walk from the opening of the window to its end.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/ui/ui_context.h"
+#include "engine/window/window.h"
+#include "passes/frame_renderer.h"
+#include "passes/machine.h"
+#include "walk/camera_control.h"
+#include "walk/error_check.h"
+#include "walk/frame_events.h"
+#include "walk/gaze_control.h"
+#include "walk/options.h"
+#include "walk/panels.h"
+#include "walk/recorder.h"
+#include "walk/request.h"
+#include "walk/scene_loader.h"
+#include "walk/screen.h"
+#include "walk/script.h"
+#include "walk/second_view.h"
+
+namespace macula::tools {
+
+class WalkSession {
+ public:
+  /// @param window its context is current
+  /// @throws InputError where an option cannot be understood
+  WalkSession(WalkOptions& options, window::Window& window, GazeSources gazeSources);
+  /// Draws frames until the window is closed or the frames of the options are drawn.
+  /// @throws InputError where the first scene or the first gaze source cannot be loaded, or a file
+  ///   of the options cannot be written
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // session.cpp: the loop and a frame's way through it
+  [[nodiscard]] bool done() const;
+  void loadingFrame();
+  void frame();
+  void prepareEvents(Clock::time_point now);
+  void steer(float seconds);
+  void lookAround(bool wanted);
+  void followPointer();
+  void placeGaze();
+  void beginRecording();
+  void record();
+  void drawOverlays();
+  void finish();
+  [[nodiscard]] bool busy() const;
+
+  // session_draw.cpp: rendering, stills, and what is taken back where the machine refuses
+  void draw();
+  void drawFirst();
+  bool takeBack(const InputError& error);
+  void drawSecond(bool firstChanged);
+  void compose();
+  void takeStills();
+  void writeLinearPicture(const std::string& file);
+  void measureErrors(const std::string& against);
+
+  // session_requests.cpp: what the user asks for
+  void readKey(int key, int modifiers);
+  void grantRequests();
+  void grant(const Request& request);
+  void noteChange();
+  void drop(const std::string& path);
+  void close();
+  void togglePath(const std::string& path);
+  void toggleRecording();
+  void nextMap(const std::string& name);
+  void askForErrors(const std::string& against);
+  [[nodiscard]] std::string commandLine() const;
+  void say(std::string text, bool error = false);
+
+  // session_jobs.cpp: results of the threads
+  void pollJobs();
+  void loadScene(const std::string& name);
+  void adopt(const ReadyScene& ready);
+  void startPicture(std::string file, std::function<void()> write);
+
+  WalkOptions& options_;
+  window::Window& window_;
+  std::vector<glm::vec2> probes_;
+  Script script_;
+  ui::UiContext ui_;
+  Screen screen_;
+  SceneLoader loader_;
+  GazeControl gaze_;
+  CameraControl camera_;
+  ErrorCheck errors_;
+  Panels panels_;
+  // Made once the window shows that something goes on: they compile programs.
+  std::unique_ptr<passes::Machine> machine_;
+  std::unique_ptr<passes::FrameRenderer> renderer_;
+  std::unique_ptr<SecondView> second_;
+  ShownScene scene_;
+  ShownScene sceneBefore_;  ///< until the new one was drawn once
+  std::optional<WalkRecorder> recorder_;
+  passes::FrameResult result_;
+  FrameEvents events_;
+  std::optional<ui::SettingChange> change_;
+  std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded anew for
+  std::optional<Message> message_;
+  std::string lastMessage_;  ///< stays for the report
+  Requests requests_;
+  BackgroundJob<std::string> picture_;
+  std::string pendingPicture_;  ///< PNG of this frame; empty: none
+  std::string pendingLinear_;   ///< the same for EXR
+  std::string pendingErrors_;   ///< "exact" or "second" where this frame is to be measured
+  glm::ivec2 size_{0};
+  glm::ivec2 pictureSize_{0};
+  glm::vec2 lastPointer_{0.0F};  ///< while looking around, 0..1 of the window
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+  int frames_ = 0;         ///< without those that waited for a thread
+  int loadingFrames_ = 0;  ///< drawn while a scene was loading
+  bool firstGaze_ = true;  ///< the source of the options has not been opened yet
+  bool looking_ = false;
+  bool pointerSeen_ = false;
+};
+
+}  // namespace macula::tools

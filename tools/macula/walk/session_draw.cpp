@@ -1,0 +1,110 @@
+// WalkSession: rendering, what is taken back where the machine refuses, and stills.
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/image/image.h"
+#include "walk/session.h"
+#include "walk/still.h"
+
+namespace macula::tools {
+
+void WalkSession::draw() {
+  const bool changed = change_ || events_.resized || events_.sceneChanged;
+  for (;;) {
+    try {
+      drawFirst();
+      break;
+    } catch (const InputError& error) {
+      if (!takeBack(error)) throw;
+    }
+  }
+  change_.reset();
+  sceneBefore_ = {};
+  panels_.add(*renderer_, result_);
+  if (second_->shown()) drawSecond(changed);
+}
+
+void WalkSession::drawFirst() {
+  // resize() also checks what the settings make of the size.
+  if (change_ || events_.resized) renderer_->resize(events_.pictureSize);
+  if (events_.sceneChanged) renderer_->setScene(*scene_.gpu);
+  result_ = renderer_->render(events_.camera, events_.gaze, events_.cut);
+}
+
+bool WalkSession::takeBack(const InputError& error) {
+  if (change_) {
+    panels_.settings().setRefusal(error.what());
+    // Whoever asks for the next method wants the next that can be had.
+    if (change_->cycled && change_->advance()) return true;
+    change_->undo();
+    std::erase(events_.changed, change_->entry);
+    change_.reset();
+    events_.resized = true;
+    return true;
+  }
+  if (sceneBefore_.gpu) {
+    say(error.what(), true);
+    scene_ = std::move(sceneBefore_);
+    sceneBefore_ = {};
+    events_.scene = scene_.name;
+    return true;
+  }
+  return false;
+}
+
+void WalkSession::drawSecond(bool firstChanged) {
+  try {
+    second_->render(events_, *scene_.gpu, firstChanged);
+  } catch (const InputError& error) {
+    say(error.what(), true);
+    second_->setMode(ViewMode::One);
+  }
+}
+
+void WalkSession::compose() {
+  if (const gl::Texture* map = errors_.texture()) {
+    screen_.clear(glm::vec3(0.0F));
+    screen_.show(*map);
+  } else {
+    second_->compose(screen_, *renderer_, size_);
+  }
+}
+
+void WalkSession::takeStills() {
+  try {
+    if (!pendingPicture_.empty()) {
+      const std::string file = std::exchange(pendingPicture_, {});
+      startPicture(file, [file, shot = readScreen(size_)] { image::writePng(file, shot); });
+    }
+    if (!pendingLinear_.empty()) writeLinearPicture(std::exchange(pendingLinear_, {}));
+    if (!pendingErrors_.empty()) measureErrors(std::exchange(pendingErrors_, {}));
+  } catch (const InputError& error) {
+    say(error.what(), true);
+  }
+}
+
+void WalkSession::writeLinearPicture(const std::string& file) {
+  if (!image::hasExr()) failInput("{}: this build writes no EXR; use PNG (F12)", file);
+  image::ImageF picture = drawLinearStill(options_.settings, *machine_, *scene_.gpu, events_);
+  startPicture(file, [file, picture = std::move(picture)] { image::writeExr(file, picture); });
+}
+
+void WalkSession::measureErrors(const std::string& against) {
+  const passes::RenderSettings& a = options_.settings;
+  const passes::RenderSettings reference =
+      against == "second" ? second_->settings() : passes::referenceOf(a);
+  PicturePair pair;
+  pair.testName = a.oit.method;
+  pair.referenceName = reference.oit.method;
+  if (a.heatmap.map == "none") {
+    // What is seen is what is measured.
+    pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
+    renderer_->readDisplay(pair.test.pixels);
+  } else {
+    pair.test = drawStill(a, *machine_, *scene_.gpu, events_);
+  }
+  pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_);
+  errors_.start(std::move(pair));
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,71 @@
+// WalkSession: work on other threads, and what becomes of its results.
+#include <fmt/format.h>
+
+#include "engine/core/error.h"
+#include "walk/session.h"
+
+namespace macula::tools {
+
+void WalkSession::loadScene(const std::string& name) {
+  loader_.request(name, options_.settings, name == scene_.name);
+}
+
+void WalkSession::pollJobs() {
+  try {
+    gaze_.poll();
+    if (gaze_.opening().empty()) firstGaze_ = false;
+  } catch (const InputError& error) {
+    if (firstGaze_) throw;
+    say(error.what(), true);
+  }
+  if (errors_.poll()) say("measured; the errors stand on the compare tab");
+  if (picture_.ready()) {
+    try {
+      say(picture_.take());
+    } catch (const InputError& error) {
+      say(error.what(), true);
+    }
+  }
+  if (!machine_) return;  // a scene waits until it can be drawn
+  try {
+    if (const std::optional<ReadyScene> ready = loader_.poll()) adopt(*ready);
+  } catch (const InputError& error) {
+    if (!scene_.gpu) throw;
+    say(error.what(), true);
+    if (sceneChange_) sceneChange_->undo();
+    sceneChange_.reset();
+  }
+}
+
+void WalkSession::adopt(const ReadyScene& ready) {
+  for (const std::string& warning : ready.loaded.scene.warnings) {
+    fmt::print(stderr, "warning: {}\n", oneLine(warning));
+  }
+  const bool first = scene_.gpu == nullptr;
+  if (first && options_.camera == "scene" && ready.loaded.scene.cameras.empty()) {
+    failInput("--camera: {} holds no camera; use auto or a path file", ready.name);
+  }
+  ShownScene shown = upload(ready);
+  sceneBefore_ = std::move(scene_);
+  scene_ = std::move(shown);
+  second_->forgetScene();
+  camera_.setScene(ready.start, ready.orbit, scene_.gpu->bounds(), ready.keepsPlace);
+  events_.sceneChanged = true;
+  sceneChange_.reset();
+  errors_.show(ErrorCheck::Map::None);
+  window_.setTitle(fmt::format("Macula: {}", oneLine(scene_.name)));
+  if (!first) return;
+  if (!options_.camera.empty() && options_.camera != "scene") camera_.play(options_.camera);
+  // The time of loading is no time of the walk.
+  begin_ = last_ = Clock::now();
+}
+
+void WalkSession::startPicture(std::string file, std::function<void()> write) {
+  if (picture_.busy()) say(picture_.take());
+  picture_.start([file = std::move(file), write = std::move(write)] {
+    write();
+    return "written: " + file;
+  });
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,231 @@
+// WalkSession: what the user asks for.
+#define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/core/nearest.h"
+#include "engine/scene/load.h"
+#include "walk/actions.h"
+#include "walk/command_text.h"
+#include "walk/file_names.h"
+#include "walk/session.h"
+
+namespace macula::tools {
+namespace {
+
+/// Settings that go into the scene while it is loaded.
+constexpr std::array<std::string_view, 4> kSceneSettings{"scene.environment", "scene.lighting",
+                                                         "scene.order", "frame.seed"};
+
+/// The name after the present one, or the one that is asked for.
+std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
+                   const std::string& wanted) {
+  if (wanted.empty()) return (present + 1) % names.size();
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found == names.end()) {
+    failInput("'{}' is none of the choices; the nearest is '{}'", wanted,
+              nearestName(wanted, names));
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+bool isProcedural(const std::string& name) {
+  const std::vector<scene::RecipeInfo> recipes = scene::recipes();
+  return name.starts_with("layers-") ||
+         std::any_of(recipes.begin(), recipes.end(),
+                     [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
+}
+
+}  // namespace
+
+void WalkSession::readKey(int key, int modifiers) {
+  // While a field is edited, keys are text.
+  if (ui_.wantsKeyboard() && key != GLFW_KEY_ESCAPE) return;
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+    if (key == GLFW_KEY_Q) requests_.push_back({Action::Quit});
+    return;
+  }
+  for (const ActionRow& row : actionRows()) {
+    if (row.key == key) requests_.push_back({row.action, std::string(row.argument)});
+  }
+}
+
+void WalkSession::say(std::string text, bool error) {
+  lastMessage_ = text;
+  message_ = Message{std::move(text), error, Clock::now()};
+}
+
+void WalkSession::grantRequests() {
+  // What one request asks for in turn is granted with the next frame.
+  const Requests requests = std::exchange(requests_, {});
+  for (const Request& request : requests) {
+    // Before the first scene there is nothing to change.
+    const bool always = request.action == Action::Close || request.action == Action::Quit;
+    if (!scene_.gpu && !always) continue;
+    try {
+      grant(request);
+    } catch (const InputError& error) {
+      say(error.what(), true);
+    }
+    noteChange();
+  }
+  noteChange();  // by a widget of the frame before
+}
+
+void WalkSession::noteChange() {
+  std::optional<ui::SettingChange> change = panels_.settings().takeChange();
+  if (!change) return;
+  events_.changed.push_back(change->entry);
+  if (change->entry->group() == "gaze" || change->entry->group() == "display") {
+    gaze_.reopen();  // no image depends on it but through the point of interest
+    return;
+  }
+  change_ = std::move(change);
+  // A setting of the scene takes effect by loading it anew.
+  if (std::find(kSceneSettings.begin(), kSceneSettings.end(), change_->entry->key()) !=
+      kSceneSettings.end()) {
+    sceneChange_ = change_;
+    loadScene(scene_.name);
+  }
+}
+
+void WalkSession::grant(const Request& request) {
+  const std::string& argument = request.argument;
+  switch (request.action) {
+    case Action::TogglePanels:
+      return panels_.toggle();
+    case Action::ToggleHelp:
+      return panels_.toggleHelp();
+    case Action::ShowTab:
+      return panels_.showTab(argument);
+    case Action::ToggleNumbers:
+      return panels_.toggleNumbers();
+    case Action::Search:
+      return panels_.search(argument);
+    case Action::Close:
+      return close();
+    case Action::Quit:
+      return window_.requestClose();
+    case Action::NextMethod:
+      return panels_.settings().chooseNext("oit.method");
+    case Action::NextHeatmap:
+      return panels_.settings().chooseNext("view.heatmap");
+    case Action::Set:
+      return panels_.settings().assign(argument);
+    case Action::SetSecond:
+      return second_->panel().assign(argument);
+    case Action::LoadScene:
+      return loadScene(argument);
+    case Action::Drop:
+      return drop(argument);
+    case Action::ResetCamera:
+      return camera_.reset();
+    case Action::RecordPath:
+      return toggleRecording();
+    case Action::PlayPath:
+      return togglePath(argument);
+    case Action::GazeSource:
+      return gaze_.choose(argument);
+    case Action::NextGaze:
+      gaze_.chooseNext();
+      return say("gaze: " + (gaze_.opening().empty() ? gaze_.spec() : gaze_.opening()));
+    case Action::ToggleCursor:
+      gaze_.cursorShown = !gaze_.cursorShown;
+      return;
+    case Action::View:
+      return second_->setMode(static_cast<ViewMode>(
+          chosen(viewModeNames(), static_cast<std::size_t>(second_->mode()), argument)));
+    case Action::ScaleDifference:
+      return second_->scaleDifference(argument == "up");
+    case Action::Measure:
+      return askForErrors(argument);
+    case Action::ShowMap:
+      return nextMap(argument);
+    case Action::Png:
+      pendingPicture_ = argument.empty() ? nextFreeName("macula", "png").string() : argument;
+      return;
+    case Action::Exr:
+      pendingLinear_ = argument.empty() ? nextFreeName("macula", "exr").string() : argument;
+      return;
+    case Action::CopyCommand:
+      window_.setClipboard(commandLine());
+      return say("copied: " + commandLine());
+  }
+}
+
+void WalkSession::drop(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    panels_.showTab("scene");
+    return panels_.listFolder(path);
+  }
+  if (isProcedural(path)) return loadScene(path);
+  if (!std::filesystem::exists(path, error)) {
+    failInput("{}: no such file; drop a scene (.glb, .gltf), a gaze log or a camera path", path);
+  }
+  if (isSceneFile(path)) {
+    panels_.listFolder(std::filesystem::path(path).parent_path());
+    return loadScene(path);
+  }
+  if (isCameraPathFile(path)) {
+    camera_.play(path);
+    return say("camera path: " + path);
+  }
+  gaze_.choose(path);
+}
+
+void WalkSession::close() {
+  if (ui_.wantsKeyboard()) return ui_.leaveField();
+  if (!scene_.gpu) return window_.requestClose();
+  if (loader_.busy()) {
+    loader_.cancel();
+    if (sceneChange_) sceneChange_->undo();
+    sceneChange_.reset();
+    return say("loading was cancelled");
+  }
+  if (message_ && message_->error) return message_.reset();
+  if (panels_.close()) return;
+  if (errors_.map() != ErrorCheck::Map::None) return errors_.show(ErrorCheck::Map::None);
+  if (camera_.playing()) camera_.stopPlaying();
+}
+
+void WalkSession::togglePath(const std::string& path) {
+  if (path.empty() && camera_.playing()) return camera_.stopPlaying();
+  camera_.play(path);
+}
+
+void WalkSession::toggleRecording() {
+  if (!camera_.recording()) {
+    camera_.startRecording();
+    return say("recording the camera; L ends it");
+  }
+  const std::filesystem::path file = nextFreeName("camera", "csv");
+  camera_.finishRecording(file);
+  say(fmt::format("{} keys written: {}; P plays them", camera_.recordedKeys(), file.string()));
+}
+
+void WalkSession::nextMap(const std::string& name) {
+  if (!errors_.result()) failInput("nothing was measured yet; press X first");
+  errors_.show(static_cast<ErrorCheck::Map>(
+      chosen(mapNames(), static_cast<std::size_t>(errors_.map()), name)));
+}
+
+void WalkSession::askForErrors(const std::string& against) {
+  if (errors_.busy()) return;
+  if (against == "second" && !second_->shown()) {
+    failInput("there is no second method to measure against; press B");
+  }
+  pendingErrors_ = against;
+  panels_.showTab("compare");
+}
+
+std::string WalkSession::commandLine() const {
+  return walkCommandLine(options_.registry, scene_.name, size_, gaze_.spec());
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,41 @@
+#include "walk/still.h"
+
+namespace macula::tools {
+namespace {
+
+/// Frames until history says what it says in a view that stands still.
+constexpr int kSettlingFrames = 2;
+
+void drawSettled(passes::FrameRenderer& renderer, const scene::GpuScene& gpu,
+                 const FrameEvents& view) {
+  renderer.resize(view.pictureSize);
+  renderer.setScene(gpu);
+  for (int i = 0; i < kSettlingFrames; ++i) renderer.render(view.camera, view.gaze);
+}
+
+}  // namespace
+
+image::Image8 drawStill(const passes::RenderSettings& settings, passes::Machine& machine,
+                        const scene::GpuScene& gpu, const FrameEvents& view) {
+  passes::RenderSettings own = settings;
+  own.heatmap.map = "none";
+  passes::FrameRenderer renderer(own, machine);
+  drawSettled(renderer, gpu, view);
+  image::Image8 image{view.pictureSize.x, view.pictureSize.y, 3, {}};
+  renderer.readDisplay(image.pixels);
+  return image;
+}
+
+image::ImageF drawLinearStill(const passes::RenderSettings& settings, passes::Machine& machine,
+                              const scene::GpuScene& gpu, const FrameEvents& view) {
+  passes::RenderSettings own = settings;
+  own.heatmap.map = "none";
+  own.tonemap.linearOut = true;
+  passes::FrameRenderer renderer(own, machine);
+  drawSettled(renderer, gpu, view);
+  image::ImageF image{view.pictureSize.x, view.pictureSize.y, 3, {}, true};
+  renderer.readLinear(image.pixels);
+  return image;
+}
+
+}  // namespace macula::tools
