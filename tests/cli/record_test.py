@@ -138,7 +138,7 @@ def check_steered_and_killed(folder):
     assert len({f["gaze"]["x"] for f in frames}) >= 4, "the pointer was followed"
     assert {(f["width"], f["height"]) for f in frames} >= {(320, 240), (280, 200)}
     assert len({json.dumps(f["camera"]) for f in frames}) >= 3, "w flew ahead"
-    assert sum(f["cut"] for f in frames) == 1, "r is a cut"
+    assert sum(f["cut"] for f in frames[1:]) == 1, "r is a cut"
     changed = [f for f in frames if "settings" in f]
     methods = [f["settings"]["oit.method"] for f in changed if "oit.method" in f["settings"]]
     assert methods == ["blend", "wboit", "peel"], methods
@@ -194,13 +194,14 @@ def check_refused_change(folder):
                 "0.5", "--no-panels", "--set", "importance.noisePerFrame=on")
     walk.wait_for(3)
     xdotool("mousemove", 80, 60)
-    walk.press("m")  # kb-racy cuts half a layer for each sample
+    walk.press("m")  # kb-racy and others refuse half a layer for each sample, and are passed over
     walk.press("m")
     walk.kill()
     frames = [json.loads(line) for line in lines_of(os.path.join(record, "frames.jsonl"))]
     restarts = [f["index"] for f in frames if f["reset"] == "restart"]
-    assert len(restarts) == 3 and restarts[0] == 0, restarts
-    assert not any("settings" in f for f in frames), "refused values were taken back"
+    assert len(restarts) >= 2 and restarts[0] == 0, restarts
+    methods = [f["settings"]["oit.method"] for f in frames if "settings" in f]
+    assert len(methods) == 2 and "kb-racy" not in methods, f"refused ones are not kept: {methods}"
     check_equal(replay(record, os.path.join(folder, "out")), len(frames))
 
 
