@@ -3,11 +3,14 @@
 # for a number of executions, starting from its corpus. Prints the executions of each target; stops
 # at the first finding, whose input is left in the build folder.
 # Usage: campaign.sh [RUNS [TARGET ...]]     RUNS: 1000000; TARGET: all fuzz_*.cpp
+# MACULA_FUZZ_LONGEST: bytes of the longest input (4096)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build/fuzz
 runs=${1:-1000000}
+# 4 KB hold every row and table that matters; larger inputs only slow the search.
+longest=${MACULA_FUZZ_LONGEST:-4096}
 shift || true
 targets=("$@")
 if ((${#targets[@]} == 0)); then
@@ -32,8 +35,7 @@ for target in "${targets[@]}"; do
   done
   mkdir -p "found/$target"
   start=$SECONDS
-  # 4 KB hold every row and table that matters; larger inputs only slow the search.
-  if ! "./$target" -runs="$runs" -max_len=4096 -timeout=20 -rss_limit_mb=2048 \
+  if ! "./$target" -runs="$runs" -max_len="$longest" -timeout=20 -rss_limit_mb=2048 \
     -print_final_stats=1 -artifact_prefix="found/$target-" \
     "found/$target" "${seeds[@]}" >"$target.log" 2>&1; then
     tail -40 "$target.log"
