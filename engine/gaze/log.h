@@ -50,6 +50,10 @@ struct CoordinateStatement {
 /// Times further apart than this are a gap: the recording was paused or cut.
 inline constexpr double kGapSeconds = 1.0;
 
+/// No recording is longer: 300 years. Beyond it a time is a slip, and what is written would not be
+/// read again.
+inline constexpr double kLongestLogSeconds = 1e10;
+
 /// Rows that are no ordinary samples, and times that cannot be integrated over.
 struct GazeCounters {
   std::size_t eventRows = 0;       ///< rows that carry a mark instead of gaze

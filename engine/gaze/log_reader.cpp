@@ -1,7 +1,10 @@
 #include "engine/gaze/log_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <istream>
@@ -19,6 +22,8 @@
 
 namespace macula::gaze {
 namespace {
+
+constexpr double kSecondsPerYear = 3.156e7;
 
 // Comments are kept so that "synthetic" survives a conversion; more than these are dropped, so that
 // a file of comments fills no memory.
@@ -114,6 +119,12 @@ class GazeLogReader::Impl {
       sample = GazeSample{};
       std::string problem;
       const Row row = parser_->row(line, sample, problem);
+      if (row == Row::Sample && std::abs(sample.timeSeconds) > kLongestLogSeconds) {
+        problem_ = fmt::format("its time lies {:.0f} years from the first sample; correct it",
+                               sample.timeSeconds / kSecondsPerYear);
+        problemLine_ = lines_.number();
+        continue;
+      }
       if (row == Row::Sample) {
         countTime(sample.timeSeconds);
         ++samples_;

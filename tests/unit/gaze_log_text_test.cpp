@@ -71,6 +71,16 @@ TEST(GazeLogText, HalfAUnitAtTheEndIsACutOffRow) {
   EXPECT_EQ(log.counters.truncatedRows, 1U);
 }
 
+TEST(GazeLogText, ATimeCenturiesAwayIsASlipInAnyFormat) {
+  // Found by the fuzzer: such a sample could be written as CSV and not be read again.
+  const std::string header = "n,x,y,val,dP,lab,xT,yT\n0,1,1,0,3,1,1,1\n";
+  const GazeLog cut = parseLog(header + "255555555155510,-5,0,0,0,1,1,1\n");
+  EXPECT_EQ(cut.samples.size(), 1U);
+  EXPECT_EQ(cut.counters.truncatedRows, 1U);
+  EXPECT_EQ(errorOfLog(header + "255555555155510,-5,0,0,0,1,1,1\n2,1,1,0,3,1,1,1\n"),
+            "log.csv: line 3: its time lies 8098 years from the first sample; correct it");
+}
+
 TEST(GazeLogText, GzipOfOneAndOfSeveralMembers) {
   expectText(gzip(kText));
   expectText(gzip(kText.substr(0, 25)) + gzip(kText.substr(25)));

@@ -146,7 +146,7 @@ void drawGazeTab(const PanelInput& input, TabState& state, Requests& requests) {
       ImGui::SetTooltip("%s", choice.note.c_str());
     }
   }
-  if (pathField("##gaze", "log file, or x,y", "open", state.gazeField)) {
+  if (pathField("##gaze", "log file, x,y or hid", "open", state.gazeField)) {
     requests.push_back({Action::GazeSource, state.gazeField});
   }
   ui::note("or drop a gaze log on the window");
