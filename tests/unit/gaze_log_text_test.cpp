@@ -78,7 +78,7 @@ TEST(GazeLogText, ATimeCenturiesAwayIsASlipInAnyFormat) {
   EXPECT_EQ(cut.samples.size(), 1U);
   EXPECT_EQ(cut.counters.truncatedRows, 1U);
   EXPECT_EQ(errorOfLog(header + "255555555155510,-5,0,0,0,1,1,1\n2,1,1,0,3,1,1,1\n"),
-            "log.csv: line 3: its time lies 8098 years from the first sample; correct it");
+            "log.csv: line 3: its time lies 8097 years from the first sample; correct it");
 }
 
 TEST(GazeLogText, GzipOfOneAndOfSeveralMembers) {
