@@ -115,20 +115,22 @@ fs::path dataFolder(std::string_view name) {
 fs::path moduleFile(std::string_view file) {
   const char* chosen = std::getenv("MACULA_MODULES");
   const fs::path program = programFolder();
-  std::vector<fs::path> folders;
+  std::vector<fs::path> folders;  // absolute: without a folder the loader would search its own
   if (chosen != nullptr && *chosen != '\0') {
-    folders.push_back(fs::absolute(chosen));  // without a folder the loader would search others
-  } else {
+    folders = {fs::absolute(chosen)};
+  } else if (!program.empty()) {
     folders = {program, program / ".." / "lib" / "macula"};
   }
+  fs::path path = file;
   std::error_code error;
   for (const fs::path& folder : folders) {
-    if (fs::is_regular_file(folder / file, error)) return (folder / file).lexically_normal();
+    path = (folder / file).lexically_normal();
+    if (fs::is_regular_file(path, error)) return path;
   }
   failInput(
       "{}: this part of Macula is missing; build or install Macula anew, or set MACULA_MODULES to "
       "the folder that holds it",
-      (folders.back() / file).lexically_normal().string());
+      path.string());
 }
 
 }  // namespace macula
