@@ -85,12 +85,23 @@ void makeOutputFolder(const fs::path& folder) {
   fs::remove(probe, error);
 }
 
+namespace {
+
+/// The folder of the running program.
+fs::path programFolder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
+
+}  // namespace
+
 fs::path dataFolder(std::string_view name) {
   std::error_code error;
   std::vector<fs::path> roots;
   if (const char* chosen = std::getenv("MACULA_DATA")) roots.emplace_back(chosen);
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) roots.push_back(program.parent_path() / ".." / "share" / "macula");
+  const fs::path program = programFolder();
+  if (!program.empty()) roots.push_back(program / ".." / "share" / "macula");
   roots.emplace_back(MACULA_SOURCE_DIR);
   for (const fs::path& root : roots) {
     if (fs::is_directory(root / name, error)) return (root / name).lexically_normal();
@@ -99,6 +110,27 @@ fs::path dataFolder(std::string_view name) {
       "the folder '{}' that ships with Macula is missing; set MACULA_DATA to the folder that "
       "holds it",
       name);
+}
+
+fs::path moduleFile(std::string_view file) {
+  const char* chosen = std::getenv("MACULA_MODULES");
+  const fs::path program = programFolder();
+  std::vector<fs::path> folders;  // absolute: without a folder the loader would search its own
+  if (chosen != nullptr && *chosen != '\0') {
+    folders = {fs::absolute(chosen)};
+  } else if (!program.empty()) {
+    folders = {program, program / ".." / "lib" / "macula"};
+  }
+  fs::path path = file;
+  std::error_code error;
+  for (const fs::path& folder : folders) {
+    path = (folder / file).lexically_normal();
+    if (fs::is_regular_file(path, error)) return path;
+  }
+  failInput(
+      "{}: this part of Macula is missing; build or install Macula anew, or set MACULA_MODULES to "
+      "the folder that holds it",
+      path.string());
 }
 
 }  // namespace macula

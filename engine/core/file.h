@@ -34,4 +34,10 @@ void makeOutputFolder(const std::filesystem::path& folder);
 /// @throws InputError where none of these holds it.
 [[nodiscard]] std::filesystem::path dataFolder(std::string_view name);
 
+/// A part of the program that is loaded when it is first needed: from $MACULA_MODULES if set, and
+/// from there only; otherwise beside the program (a build) or in ../lib/macula (an installation).
+/// @param file its file name
+/// @throws InputError naming the path where it is missing.
+[[nodiscard]] std::filesystem::path moduleFile(std::string_view file);
+
 }  // namespace macula

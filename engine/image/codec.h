@@ -8,6 +8,9 @@
 
 namespace macula::image::codec {
 
+/// Channels of a file beyond these are not read.
+inline constexpr int kMaxChannels = 4;
+
 /// Checks what a header claims, before anything of that size is allocated.
 /// @param fileBytes length of the file
 /// @throws InputError naming the file

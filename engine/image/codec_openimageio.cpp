@@ -1,44 +1,115 @@
-// The only file that includes OpenImageIO.
+// The module: the only file that includes OpenImageIO. It uses no other room, so that nothing of
+// the program's is in it a second time.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "engine/core/error.h"
-#include "engine/image/codec.h"
+#include "engine/image/io_module.h"
 
-namespace macula::image::codec {
+namespace macula::image {
+
+struct IoReader {
+  std::unique_ptr<OIIO::ImageInput> input;
+  OIIO::ImageSpec spec;
+};
+
 namespace {
 
-namespace fs = std::filesystem;
+/// OpenImageIO's names; with one it never tries the other formats that it knows.
+const char* nameOf(IoFormat format) {
+  return format == IoFormat::Png ? "png" : "openexr";
+}
+
+void say(std::string_view text, IoMessage* message) {
+  const std::size_t length = std::min(text.size(), sizeof(message->text) - 1);
+  std::memcpy(message->text, text.data(), length);
+  message->text[length] = '\0';
+}
+
+IoStatus noFormat(IoMessage* message) {
+  say(OIIO::geterror(), message);
+  return IoStatus::NoFormat;
+}
 
 /// The library's words, with a stand-in where it has none. Fetching them also clears them;
 /// uncollected ones would be printed when the reader is destroyed.
 template <typename Source>
-std::string reason(Source& source) {
+IoStatus failed(Source& source, IoMessage* message) {
   std::string text = source.geterror();
   if (text.empty()) text = "no reason given";
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
-  return text;
+  say(text, message);
+  return IoStatus::Failed;
 }
 
-[[noreturn]] void failDamaged(const fs::path& path, const std::string& why) {
-  failInput("{}: is damaged or cut off ({}); write it again", path.string(), why);
+/// Runs `call`, which gives a status; its exceptions become one.
+template <typename Call>
+IoStatus guarded(IoMessage* message, Call call) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    return IoStatus::OutOfMemory;
+  } catch (const std::exception& error) {
+    say(error.what(), message);
+  } catch (...) {
+    say("an exception of an unknown type", message);
+  }
+  return IoStatus::Fault;
+}
+
+IoStatus open(IoFormat format, const char* path, IoReader** reader, IoHeader* header,
+              IoMessage* message) {
+  return guarded(message, [&] {
+    auto opened = std::make_unique<IoReader>();
+    opened->input = OIIO::ImageInput::create(nameOf(format));
+    if (!opened->input) return noFormat(message);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);  // PNG alpha stays out of the colours
+    OIIO::ImageSpec& spec = opened->spec;
+    if (!opened->input->open(path, spec, wishes)) return failed(*opened->input, message);
+    *header = {spec.width, spec.height, spec.nchannels, !spec.deep && spec.depth <= 1};
+    *reader = opened.release();
+    return IoStatus::Done;
+  });
 }
 
 /// Reads in the file's own integers and divides here: exact, and the same as the other codec's.
 template <typename Integer>
-void readIntegers(OIIO::ImageInput& input, OIIO::TypeDesc type, float full, const fs::path& path,
-                  ImageF& image) {
-  std::vector<Integer> stored(sampleCount(image));
-  if (!input.read_image(0, 0, 0, image.channels, type, stored.data())) {
-    failDamaged(path, reason(input));
-  }
-  image.pixels.resize(stored.size());
-  std::transform(stored.begin(), stored.end(), image.pixels.begin(),
+bool readIntegers(const IoReader& reader, OIIO::TypeDesc type, float full, int channels,
+                  float* pixels) {
+  std::vector<Integer> stored(static_cast<std::size_t>(reader.spec.width) *
+                              static_cast<std::size_t>(reader.spec.height) *
+                              static_cast<std::size_t>(channels));
+  if (!reader.input->read_image(0, 0, 0, channels, type, stored.data())) return false;
+  std::transform(stored.begin(), stored.end(), pixels,
                  [full](Integer value) { return static_cast<float>(value) / full; });
+  return true;
+}
+
+IoStatus read(IoReader* reader, std::int32_t channels, float* pixels, IoMessage* message) {
+  return guarded(message, [&] {
+    bool done = false;
+    if (reader->spec.format == OIIO::TypeDesc::UINT8) {
+      done = readIntegers<std::uint8_t>(*reader, OIIO::TypeDesc::UINT8, 255.0F, channels, pixels);
+    } else if (reader->spec.format == OIIO::TypeDesc::UINT16) {
+      done =
+          readIntegers<std::uint16_t>(*reader, OIIO::TypeDesc::UINT16, 65535.0F, channels, pixels);
+    } else {
+      done = reader->input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, pixels);
+    }
+    return done ? IoStatus::Done : failed(*reader->input, message);
+  });
+}
+
+void close(IoReader* reader) {
+  delete reader;
 }
 
 OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc type) {
@@ -48,65 +119,42 @@ OIIO::ImageSpec makeSpec(int width, int height, int channels, OIIO::TypeDesc typ
   return spec;
 }
 
-void write(const char* format, const fs::path& temporary, const fs::path& path,
-           const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-  const auto output = OIIO::ImageOutput::create(format);
-  if (!output) failInput("{}: OpenImageIO has no {}: {}", path.string(), format, OIIO::geterror());
-  if (!output->open(temporary.string(), spec) || !output->write_image(type, pixels) ||
-      !output->close()) {
-    failInput("{}: cannot be written ({}); check the folder and the space left", path.string(),
-              reason(*output));
+IoStatus write(IoFormat format, const char* path, const OIIO::ImageSpec& spec, const void* pixels,
+               IoMessage* message) {
+  const auto output = OIIO::ImageOutput::create(nameOf(format));
+  if (!output) return noFormat(message);
+  if (!output->open(path, spec) || !output->write_image(spec.format, pixels) || !output->close()) {
+    return failed(*output, message);
   }
+  return IoStatus::Done;
 }
 
-/// @param format by OpenImageIO's name, so that it never tries the other formats that it knows
-ImageF read(const char* format, const fs::path& path, std::uintmax_t fileBytes) {
-  const auto input = OIIO::ImageInput::create(format);
-  if (!input) failInput("{}: OpenImageIO has no reader: {}", path.string(), OIIO::geterror());
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);  // PNG alpha stays out of the colours
-  OIIO::ImageSpec spec;
-  if (!input->open(path.string(), spec, wishes)) failDamaged(path, reason(*input));
-  checkHeader(path, spec.width, spec.height, spec.nchannels, fileBytes);
-  if (spec.deep || spec.depth > 1) {
-    failInput("{}: is a deep or volume image; give a flat one", path.string());
-  }
-  ImageF image{spec.width, spec.height, std::min(spec.nchannels, 4), {}};
-  if (spec.format == OIIO::TypeDesc::UINT8) {
-    readIntegers<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, 255.0F, path, image);
-  } else if (spec.format == OIIO::TypeDesc::UINT16) {
-    readIntegers<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, 65535.0F, path, image);
-  } else {
-    image.pixels.resize(sampleCount(image));
-    if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-      failDamaged(path, reason(*input));
-    }
-  }
-  return image;
+IoStatus writePng(const char* path, std::int32_t width, std::int32_t height, std::int32_t channels,
+                  const std::uint8_t* pixels, IoMessage* message) {
+  return guarded(message, [&] {
+    const OIIO::ImageSpec spec = makeSpec(width, height, channels, OIIO::TypeDesc::UINT8);
+    return write(IoFormat::Png, path, spec, pixels, message);
+  });
 }
+
+IoStatus writeExr(const char* path, std::int32_t width, std::int32_t height, std::int32_t channels,
+                  const float* pixels, IoMessage* message) {
+  return guarded(message, [&] {
+    OIIO::ImageSpec spec = makeSpec(width, height, channels, OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    // Left out, OpenImageIO writes the present time, and equal images would make unequal files.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
+    return write(IoFormat::Exr, path, spec, pixels, message);
+  });
+}
+
+constexpr IoModule kModule{kIoModuleVersion, open, read, close, writePng, writeExr};
 
 }  // namespace
+}  // namespace macula::image
 
-ImageF readPng(const fs::path& path, std::uintmax_t fileBytes) {
-  return read("png", path, fileBytes);
+/// The one symbol of the module; kIoModuleEntry names it.
+extern "C" __attribute__((visibility("default"))) const macula::image::IoModule*
+maculaImageIoModule() {
+  return &macula::image::kModule;
 }
-
-ImageF readExr(const fs::path& path, std::uintmax_t fileBytes) {
-  return read("openexr", path, fileBytes);
-}
-
-void writePng(const fs::path& temporary, const fs::path& path, const Image8& image) {
-  write("png", temporary, path,
-        makeSpec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8),
-        OIIO::TypeDesc::UINT8, image.pixels.data());
-}
-
-void writeExr(const fs::path& temporary, const fs::path& path, const ImageF& image) {
-  OIIO::ImageSpec spec = makeSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-  spec.attribute("compression", "zip");
-  // Left out, OpenImageIO writes the present time, and equal images would make unequal files.
-  spec.attribute("DateTime", "1970:01:01 00:00:00");
-  write("openexr", temporary, path, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
-}
-
-}  // namespace macula::image::codec

@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 
 enum class Format : std::uint8_t { Png, Exr, Hdr };
 
-constexpr int kMaxChannels = 4;
-
 /// Deflate, the densest coding of the three formats, makes at most 1032 bytes of one (RFC 1951:
 /// 258 bytes in 2 bits). Four times that leaves room for the codings that EXR puts before it.
 constexpr std::uintmax_t kMaxExpansion = 4096;
@@ -58,7 +56,7 @@ template <typename Image>
 void requireShape(const Image& image) {
   const bool sides =
       image.width >= 1 && image.height >= 1 && image.width <= kMaxSide && image.height <= kMaxSide;
-  const bool depth = image.channels >= 1 && image.channels <= kMaxChannels;
+  const bool depth = image.channels >= 1 && image.channels <= codec::kMaxChannels;
   if (!sides || !depth || image.pixels.size() != codec::sampleCount(image)) {
     throw std::invalid_argument("an image whose sides, channels and pixels do not agree");
   }

@@ -70,6 +70,15 @@ fi
 refuses "output is a file" good.glb "$macula" replay layers-2 --frames 1 --out good.glb
 GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1 \
   refuses "context below 4.5" "4.5" "$macula" replay layers-2 --frames 1 --size 32x32 --out out --platform surfaceless
+if [[ -f $MACULA_BUILD/macula-image-io.so ]]; then  # a build with OpenImageIO
+  image=$MACULA_SOURCE/assets/gallery.png
+  mkdir modules
+  refuses "image module missing" "modules/macula-image-io.so: this part of Macula is missing" \
+    env MACULA_MODULES=modules "$macula" compare "$image" "$image"
+  echo "no library" >modules/macula-image-io.so
+  refuses "image module is none" "modules/macula-image-io.so: cannot be loaded" \
+    env MACULA_MODULES=modules "$macula" compare "$image" "$image"
+fi
 if [[ -d $data/gltf-bad ]]; then
   for file in "$data"/gltf-bad/*.gl*; do
     timeout 60 "$macula" scene info "$file" >out.txt 2>err.txt

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -132,6 +134,39 @@ TEST_F(FileTest, OutputFolderOverAFileIsRefused) {
 TEST(DataFolder, MissingOneIsNamed) {
   EXPECT_NE(messageOf([] { (void)dataFolder("no-such-folder"); }).find("'no-such-folder'"),
             std::string::npos);
+}
+
+TEST(ModuleFile, MissingOneIsNamedWithItsMend) {
+  const std::string message = messageOf([] { (void)moduleFile("no-such-module.so"); });
+  EXPECT_NE(message.find("lib/macula/no-such-module.so: "), std::string::npos) << message;
+  EXPECT_NE(message.find("MACULA_MODULES"), std::string::npos) << message;
+}
+
+/// $MACULA_MODULES is a folder of the test's own, and again what it was afterwards.
+class ChosenModuleTest : public FileTest {
+ protected:
+  ChosenModuleTest() {
+    if (const char* before = std::getenv(kVariable)) before_ = before;
+    ::setenv(kVariable, folder_.c_str(), 1);
+  }
+  ~ChosenModuleTest() override {
+    if (before_) {
+      ::setenv(kVariable, before_->c_str(), 1);
+    } else {
+      ::unsetenv(kVariable);
+    }
+  }
+
+ private:
+  static constexpr const char* kVariable = "MACULA_MODULES";
+  std::optional<std::string> before_;
+};
+
+TEST_F(ChosenModuleTest, ChosenFolderIsTheOnlyOne) {
+  const std::string message = messageOf([] { (void)moduleFile("unit_tests"); });  // beside this one
+  EXPECT_EQ(message.rfind((folder_ / "unit_tests").string() + ": ", 0), 0U) << message;
+  writeFileAtomically(folder_ / "unit_tests", "x");
+  EXPECT_EQ(moduleFile("unit_tests"), folder_ / "unit_tests");
 }
 
 }  // namespace
