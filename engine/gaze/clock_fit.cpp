@@ -22,7 +22,10 @@ void ClockFit::restart(double deviceSeconds, double hostSeconds) {
 void ClockFit::add(double deviceSeconds, double hostSeconds) {
   if (!std::isfinite(deviceSeconds) || !std::isfinite(hostSeconds)) return;
   if (pairs_ > 0 && deviceSeconds == lastDevice_) ++repeats_;
-  ++pairs_;
+  if (++pairs_ > kJudgedPairs) {
+    pairs_ /= 2;
+    repeats_ /= 2;
+  }
   lastDevice_ = deviceSeconds;
   if (!started_) return restart(deviceSeconds, hostSeconds);
   const double device = deviceSeconds - firstDevice_;
@@ -45,6 +48,13 @@ void ClockFit::add(double deviceSeconds, double hostSeconds) {
     block.device = device;
     block.delay = delay;
   } else {
+    // A clock that stood still for a while, or was set by little, leaves the line for good: even
+    // the quickest arrival of a whole block lies off it.
+    const double left = block.delay - intercept_ - slope_ * block.device;
+    if (blocks_.size() > 1 && std::abs(left) > kStepSeconds) {
+      ++restarts_;
+      return restart(deviceSeconds, hostSeconds);
+    }
     newest_ = (newest_ + 1) % kBlocks;
     if (newest_ == blocks_.size()) {
       blocks_.push_back({device, device, delay});

@@ -23,6 +23,10 @@ class ClockFit {
   /// A device clock that steps back, or leaves the fit by more than this, has been set anew.
   static constexpr double kRestartSeconds = 1.0;
 
+  /// A block that lies farther off the line was stepped: no driver is late by as much for a second.
+  static constexpr double kStepSeconds = 0.050;
+  /// Of more pairs than this, the older half counts half.
+  static constexpr std::size_t kJudgedPairs = 1000;
   /// Pairs before repeats are judged, and the share of repeated device times above which its clock
   /// is too coarse for its samples: some drivers count whole seconds.
   static constexpr std::size_t kFewestPairs = 10;

@@ -103,6 +103,10 @@ CoordinateMapper::CoordinateMapper(const Coordinates& coordinates, const LogOpti
         "centre or centre-up",
         where);
   }
+  // A format that counts no pixels brings no size for the pixels that a setting speaks of.
+  const bool bringsNoSize =
+      coordinates.unit == GazeUnit::Normalised || coordinates.unit == GazeUnit::Degrees;
+  if (bringsNoSize && lack()) failInput("{}: {}", where, *lack());
   if (coordinates_.unit == GazeUnit::Degrees && !isCentred(coordinates_.origin)) {
     failInput("{}: degrees begin at the centre; give --gaze.origin centre or centre-up", where);
   }

@@ -21,6 +21,8 @@ class FoveaRadius {
   /// @param sampleInterval age that even the newest sample has, in seconds
   explicit FoveaRadius(double sampleInterval) : interval_(sampleInterval) {}
 
+  void setSampleInterval(double seconds) { interval_ = seconds; }
+
   /// The radius at a time; times do not decrease.
   /// @param ageSeconds since the last believed sample was taken; may be infinite
   [[nodiscard]] float at(double timeSeconds, double ageSeconds, bool inSaccade);

@@ -12,8 +12,9 @@ constexpr double kStatusSeconds = 1.0;  ///< that rate and losses are counted ov
 
 LiveGaze::LiveGaze(DeviceReader& reader, const GazeSettings& settings, double hostStart)
     : reader_(reader),
+      display_(settings.display),
       hostStart_(hostStart),
-      // The rate is not known before the device has run: the silence rule takes its least time.
+      // The rate shows once the device runs.
       tracker_({.sampleInterval = 0.0,
                 .latencySeconds = 0.0,
                 .live = true,
@@ -21,6 +22,29 @@ LiveGaze::LiveGaze(DeviceReader& reader, const GazeSettings& settings, double ho
                 .display = settings.display}),
       recent_(kMostRecent) {
   samples_.reserve(kMostRecent);
+}
+
+void LiveGaze::place(const WindowPlacement& placement) {
+  placement_ = placement;
+  if (!(placement.monitorSize.x > 0.0) || !(placement.monitorSize.y > 0.0)) return;
+  Display window = display_;
+  window.widthMm *= placement.clientSize.x / placement.monitorSize.x;
+  window.heightMm *= placement.clientSize.y / placement.monitorSize.y;
+  tracker_.setDisplay(window);
+}
+
+void LiveGaze::learnInterval(double timeSeconds) {
+  const double interval = timeSeconds - lastSample_;
+  lastSample_ = timeSeconds;
+  if (!(interval > 0.0)) return;
+  intervals_[intervalCount_++ % kIntervals] = interval;
+  const std::size_t have = std::min(intervalCount_, kIntervals);
+  constexpr std::size_t kFewest = 3;
+  if (have < kFewest) return;
+  std::array<double, kIntervals> sorted = intervals_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(have / 2);
+  std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(have));
+  tracker_.setSampleInterval(*middle);
 }
 
 GazeSample LiveGaze::toWindow(const DeviceSample& sample) {
@@ -57,6 +81,7 @@ PointOfInterest LiveGaze::at(double timeSeconds) {
   for (const DeviceSample& sample : samples_) {
     const GazeSample placed = toWindow(sample);
     if (listener_) listener_(placed);
+    learnInterval(placed.timeSeconds);
     tracker_.observe(placed);
     remember(placed);
   }
@@ -77,6 +102,7 @@ SourceStatus LiveGaze::status() const {
     status.lostShare = 1.0 - static_cast<double>(valid_) / static_cast<double>(count_);
   }
   status.message = reader_.message();
+  if (clock_.usable()) status.clock = clock();
   return status;
 }
 

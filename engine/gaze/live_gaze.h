@@ -1,6 +1,7 @@
 // A tracker that is read now: from its samples to the point of interest.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -39,14 +40,6 @@ class DeviceReader {
   [[nodiscard]] virtual std::string message() const = 0;
 };
 
-/// Numbers of the clock fit, for people.
-struct ClockReport {
-  double offsetSeconds = 0.0;
-  double driftPpm = 0.0;
-  double residualSeconds = 0.0;
-  std::size_t restarts = 0;
-};
-
 /// Clock, mapping, loss rule, filter and prediction on the samples of a device.
 class LiveGaze final : public GazeSource {
  public:
@@ -60,7 +53,7 @@ class LiveGaze final : public GazeSource {
   LiveGaze(DeviceReader& reader, const GazeSettings& settings, double hostStart);
 
   /// Where display and window are now; samples that come later are placed by it.
-  void place(const WindowPlacement& placement) override { placement_ = placement; }
+  void place(const WindowPlacement& placement) override;
   void onSample(SampleListener listener) override { listener_ = std::move(listener); }
 
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
@@ -75,10 +68,16 @@ class LiveGaze final : public GazeSource {
   };
 
   [[nodiscard]] GazeSample toWindow(const DeviceSample& sample);
+  /// Intervals that the nominal one is the median of: half a second at 60 Hz. A blink's silence is
+  /// one of them.
+  static constexpr std::size_t kIntervals = 31;
+
   void remember(const GazeSample& sample);
+  void learnInterval(double timeSeconds);
   void forgetOldest();
 
   DeviceReader& reader_;
+  Display display_;  ///< whole
   double hostStart_;
   WindowPlacement placement_;
   ClockFit clock_;
@@ -89,6 +88,9 @@ class LiveGaze final : public GazeSource {
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
   std::size_t valid_ = 0;  ///< of the recent ones
+  std::array<double, kIntervals> intervals_{};
+  std::size_t intervalCount_ = 0;
+  double lastSample_ = 0.0;
   bool wasConnected_ = false;
 };
 

@@ -23,6 +23,7 @@
 namespace macula::gaze {
 namespace {
 
+constexpr std::string_view kCanonicalFormat = "macula-csv";
 constexpr double kSecondsPerYear = 3.156e7;
 
 // Comments are kept so that "synthetic" survives a conversion; more than these are dropped, so that
@@ -169,7 +170,8 @@ class GazeLogReader::Impl {
   /// The next line that is neither blank nor a comment.
   bool nextRow(std::string_view& line) {
     while (lines_.next(line)) {
-      if (line.starts_with('#')) {
+      // Behind the header of another format, '#' is what a cell begins with.
+      if (line.starts_with('#') && (parser_ == nullptr || head_.format == kCanonicalFormat)) {
         keepNote(line);
       } else if (!trimmed(line).empty()) {
         return true;

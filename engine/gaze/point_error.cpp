@@ -1,9 +1,18 @@
 #include "engine/gaze/point_error.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/gaze/refiner.h"
 #include "engine/gaze/source.h"
 
 namespace macula::gaze {
+namespace {
+
+/// After a loss the point is at the centre by then: held, and eased across a window.
+constexpr double kRestSeconds = 2.0;
+
+}  // namespace
 
 GazeSettings undelayed(const GazeSettings& settings) {
   GazeSettings plain = settings;
@@ -25,9 +34,21 @@ std::vector<double> pointErrors(const GazeLog& log, const GazeSettings& settings
   if (log.samples.empty()) return errors;
   ReplayGaze replay(log, settings);
   ReplayGaze truth(log, undelayed(settings));
-  const double end = log.samples.back().timeSeconds;
-  for (std::size_t frame = 0; static_cast<double>(frame) / framesPerSecond <= end; ++frame) {
-    const double time = static_cast<double>(frame) / framesPerSecond;
+  std::size_t following = 0;  // the first sample later than the frame
+  double newest = 0.0;
+  for (std::size_t frame = 0;; ++frame) {
+    double time = static_cast<double>(frame) / framesPerSecond;
+    while (following < log.samples.size() && log.samples[following].timeSeconds <= time) {
+      newest = std::max(newest, log.samples[following].timeSeconds);
+      ++following;
+    }
+    if (following == log.samples.size() && time > newest) break;
+    // In a gap of days nothing is known, and the point has long come to rest.
+    if (time > newest + kRestSeconds && following < log.samples.size()) {
+      const double next = log.samples[following].timeSeconds;
+      frame = static_cast<std::size_t>(std::ceil(next * framesPerSecond));
+      time = static_cast<double>(frame) / framesPerSecond;
+    }
     const PointOfInterest point = replay.at(time);
     // Before the first sample arrives there is no point that could be wrong.
     const auto error = pointError(point, truth.at(time), settings.display);
@@ -50,6 +71,7 @@ LandingErrors landingErrors(const GazeLog& log, const GazeSettings& settings) {
   double newest = -1.0;
   for (const GazeSample& sample : log.samples) {
     if (!(sample.timeSeconds > newest)) continue;
+    if (sample.timeSeconds - newest > SaccadeDetector::kLongestGapSeconds) saccade.clear();
     newest = sample.timeSeconds;
     if (!sample.valid) {
       refiner.reset();

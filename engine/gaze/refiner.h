@@ -10,12 +10,14 @@ namespace macula::gaze {
 
 /// Turns believed places into the place where the viewer looks. Without filter and prediction it
 /// gives back what it took, bit for bit, and only notices saccades. Places are 0..1 of the window;
-/// inside it works in degrees, taking the window for the whole display.
+/// inside it works in degrees of what `display` says the window is.
 class GazeRefiner {
  public:
   /// @param live whether the samples come from a tracker now; decides FilterChoice::Auto
   GazeRefiner(const PipelineSettings& settings, const Display& display, bool live);
 
+  /// Size and distance of the window, from now on.
+  void setDisplay(const Display& display) { display_ = display; }
   /// The next believed sample.
   [[nodiscard]] glm::dvec2 refine(double timeSeconds, const glm::dvec2& place);
   /// Gaze was lost: nothing from before counts.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/gaze/display_mapping.h"
@@ -15,13 +16,22 @@
 
 namespace macula::gaze {
 
+/// Numbers of the clock fit, for people.
+struct ClockReport {
+  double offsetSeconds = 0.0;
+  double driftPpm = 0.0;
+  double residualSeconds = 0.0;
+  std::size_t restarts = 0;
+};
+
 /// How a source fares, for a person who watches it.
 struct SourceStatus {
   bool live = false;       ///< a device or pointer, not a recording or a fixed point
   bool connected = true;   ///< false while a device is away
   double rateHz = 0.0;     ///< samples that came in the last second; 0 where nothing is counted
   double lostShare = 0.0;  ///< 0..1 of those
-  std::string message;     ///< one line: why nothing comes, or what was done; may be empty
+  std::optional<ClockReport> clock;  ///< of a device that brings times of its own
+  std::string message;  ///< one line: why nothing comes, or what was done; may be empty
 };
 
 /// Where the point of interest comes from. Asked once a frame, with times that do not decrease.

@@ -53,6 +53,11 @@ PointOfInterestTracker::PointOfInterestTracker(const TrackerOptions& options)
       refiner_(options.pipeline, options.display, options.live),
       fovea_(options.sampleInterval) {}
 
+void PointOfInterestTracker::setSampleInterval(double seconds) {
+  silenceLimit_ = std::max(kSilenceIntervals * seconds, kSilenceSeconds);
+  fovea_.setSampleInterval(seconds);
+}
+
 double PointOfInterestTracker::holdEnd() const {
   return trustedAt_ + kHoldSeconds + kTimeTolerance;
 }

@@ -60,6 +60,11 @@ class PointOfInterestTracker {
  public:
   explicit PointOfInterestTracker(const TrackerOptions& options = {});
 
+  /// Of a live tracker, whose rate shows only as it runs. @param seconds >= 0
+  void setSampleInterval(double seconds);
+  /// What the window's shares are of, for angles.
+  void setDisplay(const Display& display) { refiner_.setDisplay(display); }
+
   /// Takes the next sample. One that is not later than the newest so far is ignored.
   void observe(const GazeSample& sample);
 

@@ -205,6 +205,26 @@ def check_refused_change(folder):
     check_equal(replay(record, os.path.join(folder, "out")), len(frames))
 
 
+def check_script(folder):
+    """Everything in one walk: methods, scenes, settings of the scene, views and stills between."""
+    script = os.path.join(folder, "script.txt")
+    with open(script, "w", encoding="utf-8") as f:
+        f.write("0 set frame.seed=5\n2 press M\n2 press H\n2 press F12\n2 press F12\n"
+                "4 scene layers-3\n6 set frame.seed=6\n8 view side\n9 press X\n10 view one\n"
+                "11 set scene.lighting=unlit\n12 gaze 0.2,0.8\n13 set gaze.latencyMs=40\n")
+    record = os.path.join(folder, "scripted")
+    done = subprocess.run([MACULA, "walk", "smoke", "--size", "200x150", "--k-ave", "0.5",
+                           "--script", script, "--frames", "16", "--no-panels", "--record", record,
+                           "--record-hashes"], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert os.path.exists(os.path.join(folder, "macula_002.png")), "both pictures are there"
+    with open(os.path.join(record, "frames.jsonl"), encoding="utf-8") as f:
+        frames = [json.loads(line) for line in f]
+    assert sum("scene" in f for f in frames) >= 3, "the scene was loaded anew"
+    report = replay(record, os.path.join(folder, "out"))["recording"]
+    assert report["hashes_equal"] == report["hashes_compared"] == len(frames), report
+
+
 def check_cut_off(folder, record, frames):
     """The line that was being written is dropped and counted; a changed line is an error."""
     cut = os.path.join(folder, "cut")
@@ -303,6 +323,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, Display():
         record, frames = check_steered_and_killed(folder)
         check_camera(folder, record, frames)
+        check_script(folder)
         check_refused_change(folder)
         check_cut_off(folder, record, frames)
         check_refusals(folder, record)

@@ -71,9 +71,22 @@ TEST(ClockFit, StartsAnewWhenTheDeviceIsSet) {
 TEST(ClockFit, AStalledReaderIsNoNewClock) {
   ClockFit fit;
   for (int i = 0; i < 100; ++i) fit.add(0.01 * i, 50.0 + 0.01 * i);
-  for (int i = 100; i < 400; ++i) fit.add(0.01 * i, 54.0);  // read together after 3 s
+  // The kernel keeps 63 reports; all are read together when the reader goes on.
+  for (int i = 100; i < 163; ++i) fit.add(0.01 * i, 51.63);
+  for (int i = 163; i < 400; ++i) fit.add(0.01 * i, 50.0 + 0.01 * i);
   EXPECT_EQ(fit.restarts(), 0U);
   EXPECT_NEAR(*fit.toHost(2.0), 52.0, 0.01);
+}
+
+TEST(ClockFit, AClockThatPausedIsFittedAnew) {
+  for (const double step : {0.1, 0.5, -0.5}) {
+    ClockFit fit;
+    for (int i = 0; i < 3000; ++i) fit.add(0.01 * i, 50.0 + 0.01 * i);
+    for (int i = 3000; i < 3300; ++i) fit.add(0.01 * i, 50.0 + 0.01 * i + step);
+    EXPECT_EQ(fit.restarts(), 1U) << step;
+    EXPECT_NEAR(*fit.toHost(33.0), 83.0 + step, 1e-3) << step;
+    EXPECT_NEAR(fit.driftPpm(), 0.0, 1.0) << step;
+  }
 }
 
 TEST(ClockFit, AStoppedClockIsNotBelieved) {
@@ -118,8 +131,9 @@ TEST(DisplayMapping, PixelsFollowTheContentScaleAwayFromTheOrigin) {
   const glm::dvec2 share = shareOfDisplay({1920.0, 1080.0}, DeviceUnit::Pixels, scaled, {});
   EXPECT_EQ(share, glm::dvec2(0.5));
   EXPECT_EQ(displayToWindow(share, scaled), glm::dvec2(0.5));
-  EXPECT_EQ(displayToWindow(shareOfDisplay({2880.0, 540.0}, DeviceUnit::Pixels, scaled, {}), scaled),
-            glm::dvec2(1.0, 0.0));
+  EXPECT_EQ(
+      displayToWindow(shareOfDisplay({2880.0, 540.0}, DeviceUnit::Pixels, scaled, {}), scaled),
+      glm::dvec2(1.0, 0.0));
 }
 
 TEST(DisplayMapping, MicrometresAreSharesOfTheCalibratedDisplay) {

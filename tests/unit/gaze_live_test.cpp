@@ -139,6 +139,46 @@ TEST(LiveGaze, AnOffsetTakesOutACalibrationThatHasDrifted) {
   EXPECT_NEAR(point.raw.x, 0.45F, 1e-5) << "what was recorded stays";
 }
 
+TEST(LiveGaze, SlowTrackersAreNotSilent) {
+  for (const double rate : {15.0, 30.0}) {
+    FakeReader reader;
+    LiveGaze gaze(reader, {}, kStart);
+    int ok = 0;
+    for (int i = 0; i < 100; ++i) {
+      const bool missing = i > 20 && i % 10 == 0;  // one sample alone is jitter
+      if (!missing) reader.see(i / rate, 0.3, 0.4);
+      ok += gaze.at((i + 0.5) / rate).state == GazeState::Ok ? 1 : 0;
+    }
+    EXPECT_GT(ok, 90) << rate;
+  }
+}
+
+TEST(LiveGaze, SpeedsAreThoseOfTheWindowsPart) {
+  // Half a window in 20 ms: over 1,000 degrees a second across the display, 60 in a small window.
+  for (const double share : {1.0, 0.05}) {
+    FakeReader reader;
+    LiveGaze gaze(reader, {}, kStart);
+    gaze.place({.monitorOrigin = {0.0, 0.0},
+                .monitorSize = {1000.0, 1000.0},
+                .clientOrigin = {0.0, 0.0},
+                .clientSize = {1000.0 * share, 1000.0 * share},
+                .pixelsPerUnit = 1.0});
+    for (int i = 0; i < 30; ++i) reader.see(0.02 * i, 0.25 * share, 0.5 * share);
+    reader.see(0.6, 0.75 * share, 0.5 * share);
+    EXPECT_EQ(gaze.at(0.61).saccade, share == 1.0) << share;
+  }
+}
+
+TEST(LiveGaze, ReportsItsClock) {
+  FakeReader reader;
+  LiveGaze gaze(reader, {}, kStart);
+  EXPECT_FALSE(gaze.status().clock);
+  for (int i = 0; i < 50; ++i) reader.see(0.004 * i, 0.5, 0.5);
+  static_cast<void>(gaze.at(0.2));
+  ASSERT_TRUE(gaze.status().clock);
+  EXPECT_NEAR(gaze.status().clock->offsetSeconds, kStart + 0.002 - 70.0, 1e-6);
+}
+
 TEST(LiveGaze, CountsRateAndLosses) {
   FakeReader reader;
   LiveGaze gaze(reader, {}, kStart);

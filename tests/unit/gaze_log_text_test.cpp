@@ -81,6 +81,32 @@ TEST(GazeLogText, ATimeCenturiesAwayIsASlipInAnyFormat) {
             "log.csv: line 3: its time lies 8097 years from the first sample; correct it");
 }
 
+TEST(GazeLogText, ADecimalCommaBetweenCommasIsNoShiftOfColumns) {
+  EXPECT_EQ(errorOfLog("n,x,y,val,dP\n0,0,5,0,7,0,3,1\n1,1,1,0,3\n"),
+            "log.csv: line 2: 8 cells under a header of 5; export the log again, with '.' as "
+            "decimal mark");
+}
+
+TEST(GazeLogText, ANumberSignInACellIsNoComment) {
+  const std::string header =
+      "ParticipantName\tRecordingTimestamp\tValidityLeft\tValidityRight\tGazePointX\tGazePointY\t"
+      "MediaWidth\tMediaHeight\n";
+  const GazeLog log = parseLog(header + "#2\t1\t0\t0\t400\t300\t800\t600\n");
+  EXPECT_EQ(log.samples.size(), 1U);
+  EXPECT_TRUE(log.notes.empty());
+}
+
+TEST(GazeLogText, PixelsOfUnknownSizeAreAskedForWhereAFormatHasNone) {
+  LogOptions options;
+  options.unit = GazeUnit::Pixels;
+  const std::string text = "TIME,BPOGX,BPOGY,BPOGV\n0,50,40,1\n";
+  EXPECT_NE(errorOfLog(text, options).find("give --gaze.screen WIDTHxHEIGHT"), std::string::npos)
+      << errorOfLog(text, options);
+  options.screen = "100x80";
+  const GazeLog log = parseLog(text, options);
+  expectPlace(log.samples.at(0), 0.5, 0.5);
+}
+
 TEST(GazeLogText, GzipOfOneAndOfSeveralMembers) {
   expectText(gzip(kText));
   expectText(gzip(kText.substr(0, 25)) + gzip(kText.substr(25)));

@@ -68,9 +68,14 @@ bool TableParser::split(std::string_view text, std::string& problem) {
   } else {
     splitQuotedCells(text, separator_, cells_);
   }
-  if (cells_.size() >= width_) return true;
-  problem =
-      fmt::format("{} cells under a header of {}; export the log again", cells_.size(), width_);
+  // A separator of no column may end a row; a filled cell of none is a decimal comma that split a
+  // number, or another slip, and would shift every column behind it.
+  const bool fits =
+      std::all_of(cells_.begin() + static_cast<std::ptrdiff_t>(std::min(width_, cells_.size())),
+                  cells_.end(), [](std::string_view cell) { return cell.empty(); });
+  if (cells_.size() >= width_ && fits) return true;
+  problem = fmt::format("{} cells under a header of {}; export the log again{}", cells_.size(),
+                        width_, separator_ == ',' ? ", with '.' as decimal mark" : "");
   return false;
 }
 

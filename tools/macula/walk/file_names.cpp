@@ -46,11 +46,12 @@ std::vector<fs::path> sceneFiles(const fs::path& folder) {
   return files;
 }
 
-fs::path nextFreeName(const std::string& prefix, std::string_view extension) {
+fs::path nextFreeName(const std::string& prefix, std::string_view extension,
+                      const std::set<std::string>& taken) {
   for (int number = 1;; ++number) {
     fs::path path = fmt::format("{}_{:03}.{}", prefix, number, extension);
     std::error_code error;
-    if (!fs::exists(path, error)) return path;
+    if (!fs::exists(path, error) && !taken.contains(path.string())) return path;
   }
 }
 

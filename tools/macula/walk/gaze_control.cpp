@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/core/error.h"
+
 namespace macula::tools {
 namespace {
 
@@ -16,6 +18,7 @@ void GazeControl::choose(const std::string& spec) {
     source_.reset();
     recording_.reset();
     begin_.reset();
+    delay_ = {};
     spec_ = spec;
     queued_.reset();
     opening_.clear();
@@ -37,8 +40,14 @@ void GazeControl::poll() {
   if (job_.ready()) {
     const bool wanted = !queued_ && !opening_.empty();
     if (!queued_) opening_.clear();
-    Opened opened = job_.take();
+    Opened opened;
+    try {
+      opened = job_.take();
+    } catch (const InputError&) {
+      if (wanted) throw;  // of a source that nobody waits for any more, nobody need know
+    }
     if (wanted) {
+      delay_ = {};
       source_ = std::move(opened.source);
       recording_ = std::move(opened.recording);
       spec_ = opened.spec;
@@ -46,13 +55,14 @@ void GazeControl::poll() {
       listen();
       if (recording_ && std::find(logs_.begin(), logs_.end(), spec_) == logs_.end()) {
         logs_.push_back(spec_);
-        listed_ = {};
+        listChoices();
       }
     }
   }
   if (queued_ && !job_.busy()) {
-    job_.start([open = sources_.open, spec = *queued_] {
-      Opened opened{spec, open(spec), {}};
+    // A copy: the panels may change the settings while the thread reads.
+    job_.start([open = sources_.open, spec = *queued_, settings = settings_] {
+      Opened opened{spec, open(spec, settings), {}};
       if (const auto* log = dynamic_cast<const gaze::ReplayGaze*>(opened.source.get())) {
         opened.recording = Recording{gaze::assess(log->log()), log->log().format};
       }
@@ -60,18 +70,25 @@ void GazeControl::poll() {
     });
     queued_.reset();
   }
-  if (Clock::now() - listed_ > kListEvery) listChoices();
+  if (deviceJob_.ready()) {
+    devices_ = deviceJob_.take();
+    listChoices();
+  }
+  if (!deviceJob_.busy() && Clock::now() - listed_ > kListEvery) {
+    listed_ = Clock::now();
+    deviceJob_.start(sources_.devices);
+  }
 }
 
 void GazeControl::listChoices() {
-  listed_ = Clock::now();
   choices_ = {{"mouse", "the pointer in place of the eye"},
               {"center", "the middle of the picture"}};
-  for (GazeChoice& device : sources_.devices()) choices_.push_back(std::move(device));
+  choices_.insert(choices_.end(), devices_.begin(), devices_.end());
   for (const std::string& log : logs_) choices_.push_back({log, "recording"});
 }
 
 void GazeControl::reopen() {
+  if (!opening_.empty()) return choose(opening_);
   if (!isMouse()) choose(spec_);
 }
 

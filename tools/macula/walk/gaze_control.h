@@ -61,7 +61,7 @@ class GazeControl {
   [[nodiscard]] const std::optional<Recording>& recording() const { return recording_; }
   [[nodiscard]] double sourceSeconds() const { return sourceSeconds_; }
 
-  /// The states of the last frames, a ring for a strip; the oldest is at stripBegin().
+  /// The states of the last frames, a ring for a strip.
   static constexpr std::size_t kStrip = 240;
   [[nodiscard]] gaze::GazeState stateAgo(std::size_t frames) const {
     return strip_[(next_ + kStrip - 1 - frames) % kStrip];
@@ -97,6 +97,8 @@ class GazeControl {
   std::array<gaze::GazeState, kStrip> strip_ = filledStrip();
   std::size_t next_ = 0;
   BackgroundJob<Opened> job_;
+  std::vector<GazeChoice> devices_;
+  BackgroundJob<std::vector<GazeChoice>> deviceJob_;
 
   static std::array<gaze::GazeState, kStrip> filledStrip() {
     std::array<gaze::GazeState, kStrip> strip{};

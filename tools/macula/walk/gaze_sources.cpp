@@ -19,7 +19,7 @@ GazeChoice choiceOf(const gaze::hid::TrackerInfo& tracker) {
 
 }  // namespace
 
-GazeSources allGazeSources(const gaze::GazeSettings& settings) {
+GazeSources allGazeSources() {
   GazeSources sources;
   sources.devices = [] {
     std::vector<GazeChoice> choices;
@@ -28,7 +28,7 @@ GazeSources allGazeSources(const gaze::GazeSettings& settings) {
     }
     return choices;
   };
-  sources.open = [&settings](const std::string& spec) {
+  sources.open = [](const std::string& spec, const gaze::GazeSettings& settings) {
     return gaze::hid::isTrackerSpec(spec) ? gaze::hid::openTracker(spec, settings)
                                           : gaze::parseGazeSpec(spec, settings);
   };

@@ -17,15 +17,16 @@ struct GazeChoice {
 };
 
 struct GazeSources {
-  /// The devices that are there now; called about once a second, so it must be quick.
+  /// The devices that are there now. Called on a thread of its own, about once a second.
   std::function<std::vector<GazeChoice>()> devices = [] { return std::vector<GazeChoice>{}; };
   /// Makes any source but the mouse. Called on a thread of its own, because logs may be large.
   /// @throws InputError naming the mend
-  std::function<std::unique_ptr<gaze::GazeSource>(const std::string& spec)> open;
+  std::function<std::unique_ptr<gaze::GazeSource>(const std::string& spec,
+                                                  const gaze::GazeSettings& settings)>
+      open;
 };
 
 /// Logs, points and HID eye trackers.
-/// @param settings are read on each open(), so that must outlive it
-[[nodiscard]] GazeSources allGazeSources(const gaze::GazeSettings& settings);
+[[nodiscard]] GazeSources allGazeSources();
 
 }  // namespace macula::tools

@@ -108,6 +108,10 @@ void drawStatus(const PanelInput& input) {
     ui::nameValue("rate", fmt::format("{:.1f} Hz", status.rateHz));
     ui::nameValue("lost lately", fmt::format("{:.1f} %", kPercent * status.lostShare));
   }
+  if (status.clock) {
+    ui::nameValue("its clock", fmt::format("{:+.1f} ppm, within {:.2f} ms", status.clock->driftPpm,
+                                           1e3 * status.clock->residualSeconds));
+  }
   if (!status.connected) ui::note("the device is away", ui::Tone::Error);
   if (!status.message.empty()) ui::note(status.message, ui::Tone::Warning);
 }

@@ -66,7 +66,8 @@ bool WalkSession::done() const {
 }
 
 bool WalkSession::busy() const {
-  return loader_.busy() || !gaze_.opening().empty() || errors_.busy() || picture_.busy();
+  return loader_.busy() || !gaze_.opening().empty() || errors_.busy() || picture_.busy() ||
+         !requests_.empty();
 }
 
 void WalkSession::run() {
@@ -112,18 +113,19 @@ void WalkSession::loadingFrame() {
 }
 
 void WalkSession::frame() {
+  // Before any change is granted: the session's settings are those that the scene was loaded with.
+  if (!options_.record.empty() && events_.index == 0) beginRecording();
   script_.due(frames_, requests_);
   grantRequests();
   prepareEvents(Clock::now());
-  if (!options_.record.empty() && !recorder_) beginRecording();
   draw();
   if (recorder_) record();
   compose();
   takeStills();
   drawOverlays();
   if (loader_.busy()) ++loadingFrames_;
-  // A frame that waits for a thread does not count, so that scripts and --frames mean the same on
-  // any machine.
+  // A frame that waits for a thread, or whose requests wait for their turn, does not count, so that
+  // scripts and --frames mean the same on any machine.
   if (!busy()) ++frames_;
   ui_.endFrame();
   // A window that is closed has drawn its last frame as well.
@@ -267,9 +269,18 @@ void WalkSession::beginRecording() {
 void WalkSession::record() {
   // A scene that was loaded anew may be another by its settings, or by what is in its file now.
   std::optional<recording::SceneSource> scene;
-  if (events_.sceneChanged && recorder_->frames() > 0) scene = recording::sourceOf(events_.scene);
-  recorder_->frame({.timeSeconds = events_.timeSeconds, .scene = scene ? &*scene : nullptr},
-                   *renderer_);
+  try {
+    if (events_.sceneChanged && recorder_->frames() > 0) {
+      scene = recording::sourceOf(events_.scene);
+    }
+    recorder_->frame({.timeSeconds = events_.timeSeconds, .scene = scene ? &*scene : nullptr},
+                     *renderer_);
+  } catch (const InputError& error) {
+    // A full disk or a vanished file ends the recording, not the walk.
+    say(fmt::format("the recording has ended: {}", error.what()), true);
+    gaze_.onSample({});
+    recorder_.reset();
+  }
 }
 
 void walk(WalkOptions& options) {
@@ -283,7 +294,7 @@ void walk(WalkOptions& options) {
                          .title = fmt::format("Macula: loading {}", oneLine(options.scene)),
                          .leastWidth = std::min(size.x, kLeastWidth),
                          .leastHeight = std::min(size.y, kLeastHeight)});
-  WalkSession(options, window, allGazeSources(options.gazeSettings)).run();
+  WalkSession(options, window, allGazeSources()).run();
 }
 
 }  // namespace macula::tools

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,7 @@ class WalkSession {
   void nextMap(const std::string& name);
   void askForErrors(const std::string& against);
   [[nodiscard]] std::string commandLine() const;
+  [[nodiscard]] std::string freshName(const std::string& prefix, std::string_view extension);
   void say(std::string text, bool error = false);
 
   // session_jobs.cpp: results of the threads
@@ -104,6 +106,7 @@ class WalkSession {
   std::unique_ptr<SecondView> second_;
   ShownScene scene_;
   ShownScene sceneBefore_;  ///< until the new one was drawn once
+  std::optional<CameraControl> cameraBefore_;
   std::optional<WalkRecorder> recorder_;
   passes::FrameResult result_;
   FrameEvents events_;
@@ -113,9 +116,10 @@ class WalkSession {
   std::string lastMessage_;  ///< stays for the report
   Requests requests_;
   BackgroundJob<std::string> picture_;
-  std::string pendingPicture_;  ///< PNG of this frame; empty: none
-  std::string pendingLinear_;   ///< the same for EXR
-  std::string pendingErrors_;   ///< "exact" or "second" where this frame is to be measured
+  std::set<std::string> givenNames_;  ///< of pictures, written or on their way
+  std::string pendingPicture_;        ///< PNG of this frame; empty: none
+  std::string pendingLinear_;         ///< the same for EXR
+  std::string pendingErrors_;         ///< "exact" or "second" where this frame is to be measured
   glm::ivec2 size_{0};
   glm::ivec2 pictureSize_{0};
   glm::vec2 lastPointer_{0.0F};  ///< while looking around, 0..1 of the window

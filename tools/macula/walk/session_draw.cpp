@@ -1,4 +1,7 @@
 // WalkSession: rendering, what is taken back where the machine refuses, and stills.
+#include <fmt/format.h>
+
+#include <string_view>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -7,6 +10,11 @@
 #include "walk/still.h"
 
 namespace macula::tools {
+namespace {
+
+constexpr std::string_view kNeedsNothing = "blend";
+
+}  // namespace
 
 void WalkSession::draw() {
   const bool changed = change_ || events_.resized || events_.sceneChanged;
@@ -20,6 +28,7 @@ void WalkSession::draw() {
   }
   change_.reset();
   sceneBefore_ = {};
+  cameraBefore_.reset();
   panels_.add(*renderer_, result_);
   if (second_->shown()) drawSecond(changed);
 }
@@ -34,6 +43,7 @@ void WalkSession::drawFirst() {
 bool WalkSession::takeBack(const InputError& error) {
   if (change_) {
     panels_.settings().setRefusal(error.what());
+    say(error.what(), true);
     // Whoever asks for the next method wants the next that can be had.
     if (change_->cycled && change_->advance()) return true;
     change_->undo();
@@ -46,7 +56,18 @@ bool WalkSession::takeBack(const InputError& error) {
     say(error.what(), true);
     scene_ = std::move(sceneBefore_);
     sceneBefore_ = {};
+    if (cameraBefore_) camera_ = std::move(*cameraBefore_);
+    cameraBefore_.reset();
+    events_.camera = camera_.camera();
     events_.scene = scene_.name;
+    window_.setTitle(fmt::format("Macula: {}", oneLine(scene_.name)));
+    return true;
+  }
+  settings::Entry& method = *options_.registry.find("oit.method");
+  if (events_.resized && options_.settings.oit.method != kNeedsNothing) {
+    // A larger window must not end the walk: what needs no memory can always be drawn.
+    say(fmt::format("{}; drawn by {} now", error.what(), kNeedsNothing), true);
+    method.setText(kNeedsNothing, "--method");
     return true;
   }
   return false;

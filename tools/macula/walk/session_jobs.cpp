@@ -47,6 +47,7 @@ void WalkSession::adopt(const ReadyScene& ready) {
   }
   ShownScene shown = upload(ready);
   sceneBefore_ = std::move(scene_);
+  cameraBefore_ = camera_;
   scene_ = std::move(shown);
   second_->forgetScene();
   camera_.setScene(ready.start, ready.orbit, scene_.gpu->bounds(), ready.keepsPlace);

@@ -61,9 +61,17 @@ void WalkSession::say(std::string text, bool error) {
 }
 
 void WalkSession::grantRequests() {
-  // What one request asks for in turn is granted with the next frame.
-  const Requests requests = std::exchange(requests_, {});
-  for (const Request& request : requests) {
+  noteChange();  // by a widget of the frame before
+  // What one request asks for in turn is granted with the next frame; and so is what comes behind a
+  // change, because each change is drawn before the next: it may have to be taken back.
+  Requests requests = std::exchange(requests_, {});
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (change_) {
+      requests_.insert(requests_.begin(), requests.begin() + static_cast<std::ptrdiff_t>(i),
+                       requests.end());
+      return;
+    }
+    const Request& request = requests[i];
     // Before the first scene there is nothing to change.
     const bool always = request.action == Action::Close || request.action == Action::Quit;
     if (!scene_.gpu && !always) continue;
@@ -74,7 +82,6 @@ void WalkSession::grantRequests() {
     }
     noteChange();
   }
-  noteChange();  // by a widget of the frame before
 }
 
 void WalkSession::noteChange() {
@@ -90,7 +97,7 @@ void WalkSession::noteChange() {
   if (std::find(kSceneSettings.begin(), kSceneSettings.end(), change_->entry->key()) !=
       kSceneSettings.end()) {
     sceneChange_ = change_;
-    loadScene(scene_.name);
+    loadScene(loader_.busy() ? loader_.name() : scene_.name);
   }
 }
 
@@ -147,10 +154,18 @@ void WalkSession::grant(const Request& request) {
     case Action::ShowMap:
       return nextMap(argument);
     case Action::Png:
-      pendingPicture_ = argument.empty() ? nextFreeName("macula", "png").string() : argument;
+      if (picture_.busy() || !pendingPicture_.empty() || !pendingLinear_.empty()) {
+        requests_.push_back(request);  // one picture at a time, and none is left out
+        return;
+      }
+      pendingPicture_ = argument.empty() ? freshName("macula", "png") : argument;
       return;
     case Action::Exr:
-      pendingLinear_ = argument.empty() ? nextFreeName("macula", "exr").string() : argument;
+      if (picture_.busy() || !pendingPicture_.empty() || !pendingLinear_.empty()) {
+        requests_.push_back(request);
+        return;
+      }
+      pendingLinear_ = argument.empty() ? freshName("macula", "exr") : argument;
       return;
     case Action::CopyCommand:
       window_.setClipboard(commandLine());
@@ -225,7 +240,16 @@ void WalkSession::askForErrors(const std::string& against) {
 }
 
 std::string WalkSession::commandLine() const {
-  return walkCommandLine(options_.registry, scene_.name, size_, gaze_.spec());
+  // --size counts screen coordinates, as the window does; pixels may be finer.
+  const glm::ivec2 size(window_.placement(0).clientSize);
+  return walkCommandLine(options_.registry, scene_.name, size, gaze_.spec());
+}
+
+std::string WalkSession::freshName(const std::string& prefix, std::string_view extension) {
+  // A file that is still being written is not there yet.
+  std::string name = nextFreeName(prefix, extension, givenNames_).string();
+  givenNames_.insert(name);
+  return name;
 }
 
 }  // namespace macula::tools
