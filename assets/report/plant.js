@@ -50,11 +50,10 @@ function drawTraces(plantCase) {
     ticks: {stroke: cssColour('--line'), width: 1},
   });
   for (const [i, law] of laws.entries()) {
-    const pair = element('div', {class: 'pair'});
+    const figures = [element('figure'), element('figure')];
+    const pair = element('div', {class: 'pair'}, ...figures);
     host.append(element('h3', {}, law + (all[i].notice ? ` (${all[i].notice})` : '')), pair);
-    const chart = (label, values, range, extra) => {
-      const figure = element('figure');
-      pair.append(figure);
+    const chart = (figure, label, values, range, extra) => {
       new uPlot({
         width: Math.max(300, figure.clientWidth - 24), height: 150, legend: {show: false},
         scales: {x: {time: false}, y: {range: () => range}},
@@ -63,8 +62,8 @@ function drawTraces(plantCase) {
           {stroke: cssColour('--soft'), width: 1, dash: [4, 4], points: {show: false}}))],
       }, [frames, values, ...extra], figure);
     };
-    chart('ms', all[i].ms, [0, mostMs], [frames.map(() => data.target_ms)]);
-    chart('r', all[i].r, [1, Math.max(...all.flatMap(t => t.r)) * 1.05], []);
+    chart(figures[0], 'ms', all[i].ms, [0, mostMs], [frames.map(() => data.target_ms)]);
+    chart(figures[1], 'r', all[i].r, [1, Math.max(...all.flatMap(t => t.r)) * 1.05], []);
   }
 }
 
