@@ -11,6 +11,7 @@ void addDevices(CLI::App& root);
 void addGaze(CLI::App& root);
 /// @param gaze what addGaze() added
 void addGazeStudy(CLI::App& gaze);
+void addHold(CLI::App& root);
 void addReplay(CLI::App& root);
 void addScene(CLI::App& root);
 #ifdef MACULA_WINDOW

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     macula::tools::addCompare(root);
     macula::tools::addGaze(root);
     macula::tools::addGazeStudy(*root.get_subcommand("gaze"));
+    macula::tools::addHold(root);
     macula::tools::addScene(root);
     macula::tools::addDevices(root);
     macula::settings::parseCommandLine(root, argc, argv);

@@ -1,0 +1,66 @@
+// A control law: times of past frames in, the resize factor of the next frame out. No GL, no clock.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace macula::control {
+
+/// Range of the resize factor r: the width of the full buffer over that of the resized one.
+inline constexpr double kLeastResize = 1.0;
+inline constexpr double kMostResize = 8.0;
+
+/// What is known of a frame that has been drawn.
+struct FrameTimes {
+  std::uint64_t frame = 0;  ///< its index
+  double resize = 1.0;      ///< r that it was drawn with
+  double totalMs = 0.0;     ///< of the GPU, all passes; 0 or less where no time came
+  /// Of the passes whose work follows 1 / r^2; nothing where passes are not timed apart.
+  std::optional<double> resizableMs;
+  /// Of the CPU's share of the frame; nothing where it is not measured.
+  std::optional<double> cpuMs;
+  /// From the last swap to this one; nothing without a window.
+  std::optional<double> intervalMs;
+};
+
+/// Chooses the resize factor frame by frame. Each frame asks once, with the times that arrived
+/// since the last question: usually those of one frame some frames ago, at times of none or of
+/// several.
+class Law {
+ public:
+  Law() = default;
+  Law(const Law&) = delete;
+  Law& operator=(const Law&) = delete;
+  virtual ~Law() = default;
+
+  /// @param newest the latest frame whose times have arrived since the last call; null for none
+  /// @param resize r of the frame before, as it was really used
+  /// @returns r for the next frame, kLeastResize to kMostResize
+  [[nodiscard]] virtual double next(const FrameTimes* newest, double resize) = 0;
+
+  /// One line on why the law does nothing at present; empty where it works.
+  [[nodiscard]] virtual std::string notice() const { return {}; }
+};
+
+/// What every law is made from.
+struct LawOptions {
+  double targetMs = 1000.0 / 60.0;  ///< > 0
+  /// K' of Yang 2008, Eq. 3: ms of the resizable work at r = 1, "experimentally determined using a
+  /// scene with the expected workload". Used by yang2008 alone.
+  double expectedWorkMs = 20.0;
+  double fixedResize = 1.0;  ///< of the law `fixed`
+  double resizeStep = 0.0;   ///< r comes in multiples of it; 0: as it is
+};
+
+/// The names that makeLaw() knows: fixed, yang2008, macula, and the laws of others for comparison.
+[[nodiscard]] std::vector<std::string> lawNames();
+
+/// @throws InputError naming the nearest for an unknown name
+[[nodiscard]] std::unique_ptr<Law> makeLaw(std::string_view name, const LawOptions& options);
+
+}  // namespace macula::control

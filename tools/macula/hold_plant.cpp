@@ -1,0 +1,123 @@
+// macula hold --plant: the protocol of control laws on a made-up GPU.
+#include <fmt/format.h>
+
+#include "engine/control/plant.h"
+#include "engine/core/file.h"
+#include "engine/core/page.h"
+#include "hold.h"
+#include "macula_version.h"
+
+namespace macula::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Thousandths are finer than any difference that matters, and keep the page small.
+double rounded(double value) {
+  return std::round(value * 1e3) / 1e3;
+}
+
+Json measuresJson(const control::PlantMeasures& m) {
+  return {{"settle_frames", m.settleFrames ? Json(*m.settleFrames) : Json(nullptr)},
+          {"over_share", m.overShare},
+          {"used_pixels", m.usedPixels},
+          {"limit_cycle", m.limitCycle},
+          {"sigma_ms", m.sigmaMs},
+          {"p99_ms", m.p99Ms},
+          {"bias_ms", m.biasMs},
+          {"p50_ms", m.p50Ms},
+          {"p95_ms", m.p95Ms},
+          {"over_110_share", m.over110Share},
+          {"longest_over", m.longestOver},
+          {"changes_per_s", m.changesPerSecond},
+          {"reversals_per_s", m.reversalsPerSecond}};
+}
+
+/// Frame times and r of one run, for the charts.
+Json traceOf(const std::string& name, const control::PlantCase& plantCase,
+             control::LawOptions options) {
+  options.resizeStep = plantCase.resizeStep;
+  const auto law = control::makeLaw(name, options);
+  const control::PlantRun run = control::runPlant(*law, plantCase, options.targetMs, 1);
+  Json times = Json::array();
+  Json factors = Json::array();
+  for (const control::PlantFrame& frame : run.frames) {
+    times.push_back(rounded(frame.spentMs));
+    factors.push_back(rounded(frame.resize));
+  }
+  return {{"ms", times}, {"r", factors}, {"notice", run.notice}};
+}
+
+std::string csvOf(const Json& results) {
+  std::string csv = "law,case";
+  const Json& any = results["laws"].front().front();
+  for (const auto& [key, value] : any.items()) csv += "," + key;
+  csv += "\n";
+  for (const auto& [law, cases] : results["laws"].items()) {
+    for (const auto& [name, measures] : cases.items()) {
+      csv += law + "," + name;
+      for (const auto& [key, value] : measures.items()) {
+        csv += "," + (value.is_null() ? "" : value.dump());
+      }
+      csv += "\n";
+    }
+  }
+  return csv;
+}
+
+std::string pageOf(const Json& data) {
+  const fs::path report = dataFolder("assets") / "report";
+  const fs::path vendor = report / "vendor";
+  return fillPage(
+      readTextFile(report / "plant.html"),
+      {{"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
+       {"licence", readTextFile(vendor / "uPlot.LICENSE")},
+       {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
+       {"data", scriptSafe(data.dump())},
+       {"script", readTextFile(report / "charts.js") + readTextFile(report / "plant.js")}});
+}
+
+}  // namespace
+
+void holdPlant(const HoldOptions& options) {
+  if (!options.out.empty()) makeOutputFolder(options.out);
+  control::LawOptions law;
+  law.targetMs = options.targetMs;
+  Json results{{"schema", 1},
+               {"commit", MACULA_COMMIT},
+               {"target_ms", law.targetMs},
+               {"seeds", options.seeds},
+               {"laws", Json::object()}};
+  Json traces = Json::object();
+  const std::vector<control::PlantCase> cases = control::plantCases();
+  const std::vector<std::string> names = control::lawNames();
+  ProgressBar progress("plant", static_cast<int>(names.size() * cases.size()));
+  for (const std::string& name : names) {
+    for (const control::PlantCase& plantCase : cases) {
+      results["laws"][name][plantCase.name] =
+          measuresJson(control::measureLaw(name, plantCase, law, options.seeds));
+      if (!options.out.empty()) traces[name][plantCase.name] = traceOf(name, plantCase, law);
+      progress.advance();
+    }
+  }
+  writeJson(options.json, results);
+  if (options.out.empty()) return;
+  const fs::path folder(options.out);
+  writeFileAtomically(folder / "results.json", results.dump(1) + "\n");
+  writeFileAtomically(folder / "results.csv", csvOf(results));
+  Json data = results;
+  data["traces"] = traces;
+  data["cases"] = Json::array();
+  for (const control::PlantCase& plantCase : cases) {
+    data["cases"].push_back({{"name", plantCase.name},
+                             {"title", plantCase.title},
+                             {"dead_frames", plantCase.deadFrames},
+                             {"step_frame", plantCase.stepFrame},
+                             {"steady_from", plantCase.steadyFrom}});
+  }
+  writeFileAtomically(folder / "report.html", pageOf(data));
+  if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
+}
+
+}  // namespace macula::tools
