@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "gaze_log_cases.h"
+#include "temporary_path.h"
 
 namespace macula::gaze {
 namespace {
@@ -87,7 +88,7 @@ TEST(Bids, WhatTheJsonDoesNotSayIsAskedFor) {
 }
 
 TEST(Bids, FilesThatLieBesideTheRecording) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "macula_bids";
+  const std::filesystem::path folder = std::filesystem::path(macula::test::temporaryPath("bids"));
   std::filesystem::create_directories(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     std::ofstream(folder / name) << text;

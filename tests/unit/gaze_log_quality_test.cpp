@@ -5,6 +5,7 @@
 #include "engine/gaze/canonical_csv.h"
 #include "engine/gaze/coordinates.h"
 #include "gaze_log_cases.h"
+#include "temporary_path.h"
 
 namespace macula::gaze {
 namespace {
@@ -177,7 +178,8 @@ TEST(GazeLogReader, GivesTheSamplesOfTheWholeLogOneByOne) {
 }
 
 TEST(GazeLogReader, ConvertsAsAStreamToTheSameText) {
-  const std::filesystem::path folder = testing::TempDir();
+  const std::filesystem::path folder = macula::test::temporaryPath("quality");
+  std::filesystem::create_directories(folder);
   const std::filesystem::path in = folder / "macula_convert_in.csv";
   const std::filesystem::path out = folder / "macula_convert_out.csv";
   const std::string text =
@@ -189,12 +191,12 @@ TEST(GazeLogReader, ConvertsAsAStreamToTheSameText) {
   writeFileAtomically(in, text + "x,0.5,0.5,1,\n0.4,0.5,0.5,1,\n");
   EXPECT_THROW((void)convertGazeLog(in, out), InputError);
   EXPECT_EQ(readTextFile(out), text);  // as it was
-  std::filesystem::remove(in);
-  std::filesystem::remove(out);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(GazeLogReader, ConversionSaysWhatTheCoordinatesWere) {
-  const std::filesystem::path folder = testing::TempDir();
+  const std::filesystem::path folder = macula::test::temporaryPath("quality");
+  std::filesystem::create_directories(folder);
   const std::filesystem::path in = folder / "macula_convert_degrees.csv";
   const std::filesystem::path out = folder / "macula_convert_places.csv";
   writeFileAtomically(in, "n,x,y,val\n0,0,0,0\n");
@@ -203,8 +205,7 @@ TEST(GazeLogReader, ConversionSaysWhatTheCoordinatesWere) {
             "# converted from gazebase; coordinates were deg (format), origin centre, y up "
             "(format), of the screen; degrees mapped by display.* 597x336 mm at 750 mm\n"
             "time_s,x,y,valid\n0,0.5,0.5,1\n");
-  std::filesystem::remove(in);
-  std::filesystem::remove(out);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(GazeLogReader, WhatIsNoGazeLogNamesTheLine) {

@@ -11,6 +11,7 @@
 #include "engine/measure/compare_files.h"
 #include "engine/measure/image_error.h"
 #include "engine/measure/srgb.h"
+#include "temporary_path.h"
 
 namespace macula::measure {
 namespace {
@@ -120,8 +121,8 @@ class CompareFilesTest : public testing::Test {
     std::filesystem::remove(png_);
     std::filesystem::remove(exr_);
   }
-  const std::string png_ = testing::TempDir() + "macula_compare_test.png";
-  const std::string exr_ = testing::TempDir() + "macula_compare_test.exr";
+  const std::string png_ = macula::test::temporaryPath("compare.png");
+  const std::string exr_ = macula::test::temporaryPath("compare.exr");
 };
 
 TEST_F(CompareFilesTest, ExrIsEncodedAndPngIsNot) {
@@ -139,7 +140,7 @@ TEST_F(CompareFilesTest, ExrIsEncodedAndPngIsNot) {
 TEST_F(CompareFilesTest, ErrorsNameTheFiles) {
   image::writePng(png_, {1, 1, 3, {0, 0, 0}});
   EXPECT_THROW((void)compareFiles(png_, png_ + "x"), InputError);
-  const std::string other = testing::TempDir() + "macula_compare_other.png";
+  const std::string other = macula::test::temporaryPath("other.png");
   image::writePng(other, {2, 1, 3, {0, 0, 0, 0, 0, 0}});
   try {
     (void)compareFiles(png_, other);

@@ -10,6 +10,7 @@
 #include "engine/measure/error_maps.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/gaze_weight.h"
+#include "temporary_path.h"
 
 namespace macula::measure {
 namespace {
@@ -105,7 +106,7 @@ TEST(ErrorMaps, FlipIsShownInMagma) {
 }
 
 TEST(ErrorMaps, AreWrittenBesideTheNumbers) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "macula_maps";
+  const std::filesystem::path folder = std::filesystem::path(macula::test::temporaryPath("maps"));
   std::filesystem::create_directories(folder);
   const std::string a = (folder / "a.png").string();
   const std::string b = (folder / "b.png").string();

@@ -7,6 +7,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/settings/command_line.h"
+#include "temporary_path.h"
 
 namespace macula::settings {
 namespace {
@@ -93,7 +94,7 @@ TEST_F(CommandLineTest, LastOneOnTheLineWins) {
 }
 
 TEST_F(CommandLineTest, TomlComesBeforeTheLine) {
-  const std::string path = testing::TempDir() + "macula_command_line_test.toml";
+  const std::string path = macula::test::temporaryPath("command_line.toml");
   writeFileAtomically(path, "[oit]\nkAve = 3\nmethod = 'blend'\n");
   run({"replay", "s", "--k-ave", "4", "--config", path});
   EXPECT_EQ(kAve_, 4.0);

@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/settings/toml_file.h"
+#include "temporary_path.h"
 
 namespace macula::settings {
 namespace {
@@ -189,7 +190,7 @@ TEST_F(TomlTest, DotsInTextCommentsAndNumbersAreNoKeyParts) {
 }
 
 TEST_F(TomlTest, File) {
-  const std::string path = testing::TempDir() + "macula_settings_toml_test.toml";
+  const std::string path = macula::test::temporaryPath("settings.toml");
   writeFileAtomically(path, "oit.kAve = 0\n");
   EXPECT_THROW(applyTomlFile(registry_, path), InputError);
   try {
