@@ -1,5 +1,7 @@
 #include "engine/core/page.h"
 
+#include "engine/core/file.h"
+
 namespace macula {
 
 std::string scriptSafe(std::string_view json) {
@@ -47,6 +49,18 @@ std::string fillPage(std::string_view page, const std::map<std::string, std::str
     page.remove_prefix(close + 2);
   }
   return filled + std::string(page);
+}
+
+std::string reportPageOf(const std::filesystem::path& assets, const std::string& name,
+                         std::string_view json, std::map<std::string, std::string> texts) {
+  const std::filesystem::path report = assets / "report";
+  const std::filesystem::path vendor = report / "vendor";
+  texts["style"] = readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css");
+  texts["licence"] = readTextFile(vendor / "uPlot.LICENSE");
+  texts["vendor"] = readTextFile(vendor / "uPlot.iife.min.js");
+  texts["data"] = scriptSafe(json);
+  texts["script"] = readTextFile(report / "charts.js") + readTextFile(report / (name + ".js"));
+  return fillPage(readTextFile(report / (name + ".html")), texts);
 }
 
 }  // namespace macula

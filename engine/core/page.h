@@ -1,6 +1,7 @@
 // HTML pages from templates.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,5 +18,13 @@ namespace macula {
 /// Unknown names stay as they are.
 [[nodiscard]] std::string fillPage(std::string_view page,
                                    const std::map<std::string, std::string>& texts);
+
+/// A page that needs no network: NAME.html of assets/report with the shared style and charts,
+/// uPlot, NAME.js, and the texts.
+/// @param json the page's data @param texts further ones that the template names, ready for HTML
+/// @throws InputError where a file of assets/report is missing
+[[nodiscard]] std::string reportPageOf(const std::filesystem::path& assets, const std::string& name,
+                                       std::string_view json,
+                                       std::map<std::string, std::string> texts = {});
 
 }  // namespace macula

@@ -66,18 +66,10 @@ nlohmann::ordered_json toJson(const Results& results) {
 
 std::string reportPage(const Results& results, const std::filesystem::path& folder,
                        const std::filesystem::path& assets) {
-  const std::filesystem::path report = assets / "report";
-  const std::filesystem::path vendor = report / "vendor";
   Json data = toJson(results);
   data["pictures"] = picturesOf(results, folder);
-  const std::map<std::string, std::string> texts{
-      {"title", htmlSafe(results.experiment->title)},
-      {"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
-      {"licence", readTextFile(vendor / "uPlot.LICENSE")},
-      {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
-      {"data", scriptSafe(data.dump(-1, ' ', false, Json::error_handler_t::replace))},
-      {"script", readTextFile(report / "charts.js") + readTextFile(report / "report.js")}};
-  return fillPage(readTextFile(report / "report.html"), texts);
+  const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return reportPageOf(assets, "report", json, {{"title", htmlSafe(results.experiment->title)}});
 }
 
 }  // namespace macula::experiment

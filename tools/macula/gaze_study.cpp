@@ -91,18 +91,6 @@ std::string csvOf(const Json& results) {
   return csv;
 }
 
-std::string pageOf(const Json& results) {
-  const fs::path report = dataFolder("assets") / "report";
-  const fs::path vendor = report / "vendor";
-  return fillPage(
-      readTextFile(report / "gaze.html"),
-      {{"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
-       {"licence", readTextFile(vendor / "uPlot.LICENSE")},
-       {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
-       {"data", scriptSafe(results.dump())},
-       {"script", readTextFile(report / "charts.js") + readTextFile(report / "gaze.js")}});
-}
-
 void study(const Options& options) {
   makeOutputFolder(options.out);
   Json results{{"schema", 1},
@@ -118,7 +106,8 @@ void study(const Options& options) {
   const fs::path folder(options.out);
   writeFileAtomically(folder / "results.json", results.dump(1) + "\n");
   writeFileAtomically(folder / "results.csv", csvOf(results));
-  writeFileAtomically(folder / "report.html", pageOf(results));
+  writeFileAtomically(folder / "report.html",
+                      reportPageOf(dataFolder("assets"), "gaze", results.dump()));
   writeJson(options.json, results);
   if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
 }

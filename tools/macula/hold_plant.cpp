@@ -66,18 +66,6 @@ std::string csvOf(const Json& results) {
   return csv;
 }
 
-std::string pageOf(const Json& data) {
-  const fs::path report = dataFolder("assets") / "report";
-  const fs::path vendor = report / "vendor";
-  return fillPage(
-      readTextFile(report / "plant.html"),
-      {{"style", readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css")},
-       {"licence", readTextFile(vendor / "uPlot.LICENSE")},
-       {"vendor", readTextFile(vendor / "uPlot.iife.min.js")},
-       {"data", scriptSafe(data.dump())},
-       {"script", readTextFile(report / "charts.js") + readTextFile(report / "plant.js")}});
-}
-
 }  // namespace
 
 void holdPlant(const HoldOptions& options) {
@@ -116,7 +104,8 @@ void holdPlant(const HoldOptions& options) {
                              {"step_frame", plantCase.stepFrame},
                              {"steady_from", plantCase.steadyFrom}});
   }
-  writeFileAtomically(folder / "report.html", pageOf(data));
+  writeFileAtomically(folder / "report.html",
+                      reportPageOf(dataFolder("assets"), "plant", data.dump()));
   if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
 }
 

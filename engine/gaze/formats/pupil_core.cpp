@@ -39,15 +39,7 @@ class PupilCoreParser final : public TableParser {
     sample.timeSeconds = clock_.seconds(*time, head_);
     sample.confidence = static_cast<float>(*confidence);
     const bool trusted = *confidence >= options_.minConfidence;
-    const std::optional<glm::dvec2> raw = pair(x_, y_);
-    if (trusted) {
-      if (const auto place = placeOf(raw, mapper_, head_)) {
-        sample.position = *place;
-        sample.valid = true;
-      }
-    } else if (raw) {
-      sample.position = mapper_.place(*raw).value_or(kNoPosition);
-    }
+    placeSample(pair(x_, y_), trusted, mapper_, head_, sample);
     return Row::Sample;
   }
 

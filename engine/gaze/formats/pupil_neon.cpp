@@ -56,15 +56,7 @@ class PupilNeonParser final : public TableParser {
       if (blink != lastBlink_) ++head_.counters.blinks;
     }
     if (blink != lastBlink_) lastBlink_ = blink;
-    const std::optional<glm::dvec2> raw = pair(x_, y_);
-    if (seen) {
-      if (const auto place = placeOf(raw, mapper_, head_)) {
-        sample.position = *place;
-        sample.valid = true;
-      }
-    } else if (raw) {
-      sample.position = mapper_.place(*raw).value_or(kNoPosition);
-    }
+    placeSample(pair(x_, y_), seen, mapper_, head_, sample);
     return Row::Sample;
   }
 

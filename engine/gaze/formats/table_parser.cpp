@@ -109,6 +109,18 @@ std::optional<glm::dvec2> placeOf(const std::optional<glm::dvec2>& raw,
   return place;
 }
 
+void placeSample(const std::optional<glm::dvec2>& raw, bool seen, const CoordinateMapper& mapper,
+                 GazeLogHead& head, GazeSample& sample) {
+  if (seen) {
+    if (const auto place = placeOf(raw, mapper, head)) {
+      sample.position = *place;
+      sample.valid = true;
+    }
+  } else if (raw) {
+    sample.position = mapper.place(*raw).value_or(kNoPosition);
+  }
+}
+
 void combineEyes(const EyeReading& left, const EyeReading& right,
                  const std::optional<glm::dvec2>& combined, const CoordinateMapper& mapper,
                  GazeLogHead& head, GazeSample& sample) {

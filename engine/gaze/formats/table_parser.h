@@ -81,6 +81,11 @@ class TableParser : public LogParser {
 [[nodiscard]] std::optional<glm::dvec2> placeOf(const std::optional<glm::dvec2>& raw,
                                                 const CoordinateMapper& mapper, GazeLogHead& head);
 
+/// Sets the place of a sample that has one point: valid where the tracker saw an eye, and kept
+/// without being believed where it did not.
+void placeSample(const std::optional<glm::dvec2>& raw, bool seen, const CoordinateMapper& mapper,
+                 GazeLogHead& head, GazeSample& sample);
+
 /// Sets place, validity and pupil of a sample: the mean of both eyes where both were seen,
 /// otherwise the one that was; `combined`, where it is given and a place, goes before the mean. The
 /// losses of each eye are counted.
