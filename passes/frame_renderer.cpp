@@ -93,6 +93,14 @@ void FrameRenderer::settingsChanged() {
   ++steps_.resets;
 }
 
+void FrameRenderer::setLevers(const frame::Levers& levers) {
+  inputs_.levers = levers;
+}
+
+void FrameRenderer::setShadingLoad(int times) {
+  shadingLoad_ = times;
+}
+
 void FrameRenderer::restart() {
   plan_ = {.method = &methodById(settings_.oit.method)};
   list_ = makeFrameList(settings_, plan_);

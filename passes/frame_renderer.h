@@ -34,8 +34,18 @@ struct LayerStatistics {
   double mean = 0.0;
 };
 
+/// Opaque pixels of one frame, and how many were really shaded.
+struct ShadingCounts {
+  std::uint64_t pixels = 0;  ///< of the image, in samples
+  std::uint64_t shaded = 0;  ///< samples that were shaded, holes among them
+  std::uint64_t holes = 0;   ///< pixels that no low-rate sample fits
+};
+
 struct FrameResult {
-  double totalMs = 0.0;                     ///< from glFinish to glFinish
+  double totalMs = 0.0;       ///< from glFinish to glFinish
+  double resizeFactor = 1.0;  ///< r in use
+  double resizableMs = 0.0;   ///< of the passes whose work follows 1 / r^2
+  ShadingCounts shading;
   std::span<const frame::PassTime> passes;  ///< until the next frame
   std::optional<FragmentCounts> fragments;  ///< none where the method does not count
   std::optional<LayerStatistics> layers;
@@ -69,6 +79,12 @@ class FrameRenderer {
   void showTransparency(bool shown);
   /// To be called after a change of the settings given to the constructor.
   void settingsChanged();
+  /// For the following frames. Changes no allocation and keeps history; the first call that asks
+  /// for less than full rate makes ready for it.
+  void setLevers(const frame::Levers& levers);
+  /// How many times over the shading of the following frames is computed: a load to try a
+  /// controller on. The image stays the same. @param times >= 1
+  void setShadingLoad(int times);
   /// Gives up everything that earlier frames left behind, so that the next one is drawn as by a new
   /// renderer of the same scene and size. Images can be read again after that frame.
   void restart();
@@ -127,6 +143,7 @@ class FrameRenderer {
   std::optional<scene::Camera> lastCamera_;
   std::uint32_t deepestSeen_ = 0;
   double extraMs_ = 0.0;
+  int shadingLoad_ = 1;
   glm::mat4 lastViewProjection_{1.0F};
   bool prepared_ = false;
   bool historyUsable_ = false;

@@ -84,12 +84,16 @@ RenderSettings referenceOf(const RenderSettings& settings) {
   reference.oit = {};
   reference.oit.method = "ab-sbuffer";
   reference.heatmap.map = "none";
+  reference.lod = {};
+  reference.foveation = {};
   return reference;
 }
 
 void registerSettings(settings::Registry& registry, RenderSettings& s) {
   registerOit(registry, s.oit);
   registerImportance(registry, s.importance);
+  registerSettings(registry, s.lod);
+  registerSettings(registry, s.foveation);
   registry.addChoice(
       {.key = "tonemap.curve", .alias = "tonemap", .help = "none writes linear values as they are"},
       s.tonemap.curve, {"none", "neutral", "aces"});

@@ -10,6 +10,7 @@
 #include "engine/scene/lighting_override.h"
 #include "engine/settings/registry.h"
 #include "passes/heatmap_pass.h"
+#include "passes/lod/settings.h"
 #include "passes/oit/plan.h"
 #include "passes/shadow_pass.h"
 #include "passes/tonemap_pass.h"
@@ -20,6 +21,8 @@ struct RenderSettings {
   OitSettings oit;
   ImportanceSettings importance;
   ShadowPass::Settings shadow;
+  LodSettings lod;
+  FoveationSettings foveation;
   TonemapPass::Settings tonemap;
   HeatmapPass::Settings heatmap;
   std::filesystem::path environment;  ///< equirectangular panorama; empty: none

@@ -14,6 +14,15 @@ class GpuScene;
 
 namespace macula::frame {
 
+/// What a controller may set from frame to frame; nothing is allocated for it and no history lost.
+struct Levers {
+  float resize = 0.0F;      ///< r of the shading, 1 to 8; 0: as lod.r says
+  float foveaSlope = 1.0F;  ///< factor on foveation.slope, >= 1
+  float layerShare = 1.0F;  ///< of the layers that the k-buffer's budget would give, 0 < x <= 1
+
+  bool operator==(const Levers&) const = default;
+};
+
 /// Inputs of one frame. Without `gpu` (no GL) it still answers Pass::hasWork().
 struct FrameInputs {
   scene::SceneFacts facts;
@@ -22,6 +31,7 @@ struct FrameInputs {
   glm::ivec2 outputSize{0};   ///< pixels of the window or image
   glm::ivec2 displaySize{0};  ///< samples: outputSize times supersampling
   gaze::PointOfInterest gaze;
+  Levers levers;
   std::uint32_t frameIndex = 0;
   bool historyValid = false;  ///< the last frame was drawn, at this size, without a camera cut
 };

@@ -39,6 +39,15 @@ struct TextureRef {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
+/// Marble veins, computed for each pixel from the place in the world: turbulence of gradient noise
+/// (Perlin 1985) mixes the base colour with the veins' colour.
+struct Veins {
+  glm::vec3 color{0.0F};  ///< linear RGB
+  float scale = 0.0F;     ///< veins a metre, >= 0; 0: none
+
+  [[nodiscard]] bool any() const { return scale > 0.0F; }
+};
+
 /// glTF metallic-roughness material with the extensions that Macula draws.
 struct Material {
   std::string name;
@@ -59,6 +68,8 @@ struct Material {
   glm::vec3 attenuationColor{1.0F};
   float attenuationDistance = 0.0F;  ///< metres; 0 means infinite, as the extension's default
   float thickness = 0.0F;            ///< metres
+
+  Veins veins;  ///< of an opaque surface; none by default
 
   TextureRef baseColorTexture;          ///< sRGB, alpha linear
   TextureRef metallicRoughnessTexture;  ///< G roughness, B metallic
@@ -95,6 +106,14 @@ struct Instance {
   glm::mat4 transform{1.0F};  ///< object to world; may mirror
 };
 
+/// Taps a side of the shadow filter: usual, and the most that a scene can ask for.
+inline constexpr int kUsualShadowTaps = 3;
+inline constexpr int kMostShadowTaps = 15;
+/// A pixel's occlusion samples at the most: more change less than a display's step.
+inline constexpr int kMostOcclusionSamples = 256;
+/// Materials with veins that a scene may have, so that a byte of the G-buffer can name them.
+inline constexpr int kMostVeins = 8;
+
 enum class LightType : std::uint8_t { Directional, Point, Spot };
 
 /// KHR_lights_punctual, already in world space.
@@ -108,6 +127,17 @@ struct Light {
   float innerConeAngle = 0.0F;             ///< radians
   float outerConeAngle = 0.7853982F;       ///< radians
   bool castsShadow = false;                ///< at most one directional light of a scene
+  /// Width of the shadow's filter in texels: so many taps a side of percentage-closer filtering.
+  /// Odd, 1 to kMostShadowTaps.
+  int shadowTaps = kUsualShadowTaps;
+};
+
+/// Ambient occlusion found on the screen, for the ambient part of the light.
+struct AmbientOcclusion {
+  float radius = 0.0F;  ///< metres around a point in which surfaces darken it, >= 0
+  int samples = 0;      ///< 0: none, at most kMostOcclusionSamples
+
+  [[nodiscard]] bool any() const { return samples > 0 && radius > 0.0F; }
 };
 
 /// A perspective camera in world space. Looks along -z of its frame, as glTF says.
@@ -145,6 +175,7 @@ struct Scene {
   std::vector<Camera> cameras;
   /// Constant ambient radiance where no environment is given, linear RGB.
   glm::vec3 ambient{0.0F};
+  AmbientOcclusion occlusion;
 
   std::vector<std::string> unsupportedExtensions;  ///< optional ones the file uses
   std::vector<std::string> warnings;               ///< one line each

@@ -1,7 +1,5 @@
 #include "engine/scene/scene_facts.h"
 
-#include <algorithm>
-
 namespace macula::scene {
 
 SceneFacts factsOf(const Scene& scene, bool hasEnvironment) {
@@ -18,11 +16,16 @@ SceneFacts factsOf(const Scene& scene, bool hasEnvironment) {
       facts.opaqueTriangles += triangles;
       facts.litOpaque = facts.litOpaque || !material.unlit;
       facts.unlitOpaque = facts.unlitOpaque || material.unlit;
+      facts.veins = facts.veins || (material.veins.any() && !material.unlit);
     }
   }
-  facts.shadowLight = std::any_of(scene.lights.begin(), scene.lights.end(),
-                                  [](const Light& light) { return light.castsShadow; });
+  for (const Light& light : scene.lights) {
+    if (!light.castsShadow) continue;
+    facts.shadowLight = true;
+    facts.shadowTaps = light.shadowTaps;
+  }
   facts.environment = hasEnvironment;
+  facts.occlusion = scene.occlusion;
   return facts;
 }
 

@@ -13,8 +13,11 @@ struct SceneFacts {
   bool litOpaque = false;
   bool litTransparent = false;
   bool unlitOpaque = false;
-  bool shadowLight = false;  ///< a directional light casts shadows
-  bool environment = false;  ///< image-based light and background are given
+  bool shadowLight = false;           ///< a directional light casts shadows
+  bool environment = false;           ///< image-based light and background are given
+  int shadowTaps = kUsualShadowTaps;  ///< a side of the shadow's filter
+  bool veins = false;                 ///< an opaque surface has procedural veins
+  AmbientOcclusion occlusion = {};    ///< asked for by the scene
 };
 
 /// @param hasEnvironment whether an environment map is given beside the scene
