@@ -4,6 +4,10 @@
 #include "passes/gbuffer_pass.h"
 #include "passes/heatmap_pass.h"
 #include "passes/lighting_pass.h"
+#include "passes/lod/holes_pass.h"
+#include "passes/lod/rates_pass.h"
+#include "passes/lod/reconstruct_pass.h"
+#include "passes/lod/shade_pass.h"
 #include "passes/oit/allocate_pass.h"
 #include "passes/oit/atomic_keys_pass.h"
 #include "passes/oit/blend_pass.h"
@@ -34,12 +38,17 @@ namespace macula::passes {
 
 using frame::Resource;
 
-frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& plan) {
+frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& plan,
+                               const LodPlan& lod) {
   std::vector<std::unique_ptr<frame::Pass>> passes;
   // Opaque
   passes.push_back(std::make_unique<ShadowPass>(settings.shadow));
   passes.push_back(std::make_unique<GBufferPass>());
-  passes.push_back(std::make_unique<LightingPass>());
+  passes.push_back(std::make_unique<LodRatesPass>(lod));
+  passes.push_back(std::make_unique<LodShadePass>(lod));
+  passes.push_back(std::make_unique<LodReconstructPass>(lod));
+  passes.push_back(std::make_unique<LodHolesPass>(lod));
+  passes.push_back(std::make_unique<LightingPass>(lod));
   // Transparent, over the opaque image
   passes.push_back(std::make_unique<BlendPass>(plan));
   passes.push_back(std::make_unique<WeightedPass>(plan));

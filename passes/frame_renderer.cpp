@@ -10,6 +10,7 @@
 #include "passes/oit/oit_pass.h"
 #include "shared/bindings.h"
 #include "shared/frame_constants.h"
+#include "shared/lod_totals.h"
 
 namespace macula::passes {
 
@@ -19,6 +20,10 @@ namespace {
 
 /// N_limit before anything was counted: the paper's own range is 20 to 30 (Vasilakis 2017, 3.2).
 constexpr float kFirstLayerLimit = 30.0F;
+
+/// Whose work follows 1 / r^2; the second where nothing can be resized.
+constexpr std::string_view kShadePass = "lod.shade";
+constexpr std::string_view kLightingPass = "lighting";
 
 /// Fragments that heap sort and composition handle in 65,535 loop iterations: n log2 n + 3 n.
 constexpr std::uint32_t kDeepestBoundedSort = 4096;
@@ -55,7 +60,7 @@ FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
       machine_(machine),
       plan_{.method = &methodById(settings.oit.method)},
       statistics_(plan_),
-      list_(makeFrameList(settings, plan_)),
+      list_(makeFrameList(settings, plan_, lod_)),
       timer_(machine.time.source),
       constants_("frame constants", sizeof(shader::FrameConstants)) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -95,6 +100,10 @@ void FrameRenderer::settingsChanged() {
 
 void FrameRenderer::setLevers(const frame::Levers& levers) {
   inputs_.levers = levers;
+  // The first time, the passes are made ready; nothing that a frame remembers depends on it.
+  const bool asks = levers.resize > 1.0F;
+  if (asks && !mayResize_) prepared_ = false;
+  mayResize_ = mayResize_ || asks;
 }
 
 void FrameRenderer::setShadingLoad(int times) {
@@ -103,7 +112,7 @@ void FrameRenderer::setShadingLoad(int times) {
 
 void FrameRenderer::restart() {
   plan_ = {.method = &methodById(settings_.oit.method)};
-  list_ = makeFrameList(settings_, plan_);
+  list_ = makeFrameList(settings_, plan_, lod_);
   resources_ = {};
   inputs_.frameIndex = 0;
   deepestSeen_ = 0;
@@ -132,9 +141,26 @@ void FrameRenderer::uploadConstants() {
                      plan_.options.cullWords);
   c.slices = glm::vec4(inputs_.view.camera.nearPlane, inputs_.view.camera.farPlane,
                        plan_.importance.slices, plan_.importance.tile);
+  describeLod(c);
   c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
   constants_.upload(&c, sizeof(c));
   glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_.id());
+}
+
+void FrameRenderer::describeLod(shader::FrameConstants& c) const {
+  const scene::View& view = inputs_.view;
+  const glm::mat3 axes(glm::transpose(glm::mat3(view.view)));
+  // The projection scales by the inverse of what the view spans at distance 1.
+  c.right = glm::vec4(axes[0] / view.projection[0][0], 0.0F);
+  c.up = glm::vec4(axes[1] / view.projection[1][1], 0.0F);
+  c.ahead = glm::vec4(-axes[2], 0.0F);
+  const float nearPlane = view.camera.nearPlane;
+  const float farPlane = view.camera.farPlane;
+  c.depth = glm::vec4((farPlane - nearPlane) / (nearPlane * farPlane), 1.0F / farPlane, 0.0F, 0.0F);
+  const auto r = static_cast<float>(lod_.resize);
+  c.resize = glm::vec4(r, 1.0F / r, lod_.viewerSamples, 0.0F);
+  c.lodSize = glm::ivec4(lod_.texels, lod_.tiles);
+  c.acuity = lod_.acuity;
 }
 
 shader::OitTotals FrameRenderer::runOnce() {
@@ -164,6 +190,8 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
                          ? static_cast<float>(settings_.importance.layerLimit)
                      : deepestSeen_ > 0 ? static_cast<float>(deepestSeen_)
                                         : kFirstLayerLimit;
+  planFrame(lod_, settings_.lod, settings_.foveation, inputs_, settings_.tonemap.ssaa);
+  lod_.load = shadingLoad_;
   shader::OitTotals totals = runOnce();
   extraMs_ = 0.0;
   int recaptures = 0;
@@ -190,7 +218,11 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
   FrameResult result;
   result.totalMs = timer_.totalMs() + extraMs_;
   result.passes = list_.times();
+  for (const frame::PassTime& pass : result.passes) {
+    if (pass.name == (lod_.wanted ? kShadePass : kLightingPass)) result.resizableMs += pass.ms;
+  }
   result.lockFailures = totals.lockFailures;
+  countShading(result);
   if (inputs_.facts.transparentTriangles == 0) {
     result.fragments = FragmentCounts{};
     result.exact = true;
@@ -199,6 +231,20 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
     countFragments(totals, result);
   }
   return result;
+}
+
+void FrameRenderer::countShading(FrameResult& result) const {
+  const auto area = [](glm::ivec2 size) {
+    return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+  };
+  result.resizeFactor = lod_.resize;
+  result.shading = {.pixels = area(inputs_.displaySize), .shaded = area(lod_.texels), .holes = 0};
+  if (!lod_.wanted || lod_.fullRate()) return;
+  shader::LodTotals totals{};
+  resources_.buffer(Resource::LodTotals).download(&totals, sizeof(totals));
+  if (lod_.foveated) result.shading.shaded = totals.shaded;
+  result.shading.holes = totals.dispatches[LOD_RATES].w;
+  result.shading.shaded += result.shading.holes;
 }
 
 void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult& result) {

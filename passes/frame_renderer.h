@@ -11,10 +11,12 @@
 #include "engine/frame/frame_list.h"
 #include "engine/frame/frame_resources.h"
 #include "engine/scene/gpu_scene.h"
+#include "passes/lod/plan.h"
 #include "passes/machine.h"
 #include "passes/oit/plan.h"
 #include "passes/oit/statistics.h"
 #include "passes/render_settings.h"
+#include "shared/frame_constants.h"
 #include "shared/oit_totals.h"
 
 namespace macula::passes {
@@ -108,6 +110,7 @@ class FrameRenderer {
   void readLinear(std::vector<float>& rgb) const;
 
   [[nodiscard]] const OitPlan& plan() const { return plan_; }
+  [[nodiscard]] const LodPlan& lod() const { return lod_; }
   [[nodiscard]] frame::ResourceBytes bytes() const { return resources_.bytes(); }
   [[nodiscard]] const frame::FrameResources& resources() const { return resources_; }
   [[nodiscard]] glm::ivec2 outputSize() const { return inputs_.outputSize; }
@@ -129,11 +132,14 @@ class FrameRenderer {
   void uploadConstants();
   [[nodiscard]] shader::OitTotals runOnce();
   [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);
+  void describeLod(shader::FrameConstants& constants) const;
+  void countShading(FrameResult& result) const;
   void countFragments(const shader::OitTotals& totals, FrameResult& result);
 
   const RenderSettings& settings_;
   Machine& machine_;
   OitPlan plan_;
+  LodPlan lod_;
   OitStatisticsCounter statistics_;
   frame::FrameInputs inputs_;
   frame::FrameResources resources_;
@@ -145,6 +151,7 @@ class FrameRenderer {
   double extraMs_ = 0.0;
   int shadingLoad_ = 1;
   glm::mat4 lastViewProjection_{1.0F};
+  bool mayResize_ = false;  ///< a lever has asked for less than full rate
   bool prepared_ = false;
   bool historyUsable_ = false;
   bool transparencyShown_ = true;

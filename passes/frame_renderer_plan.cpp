@@ -5,6 +5,7 @@
 #include "engine/core/error.h"
 #include "passes/frame_renderer.h"
 #include "passes/oit/oit_pass.h"
+#include "shared/lod_totals.h"
 
 namespace macula::passes {
 
@@ -110,6 +111,7 @@ void FrameRenderer::prepare() {
   plan_.seed = settings_.seed;
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
   planMethod(samples);
+  planLod(lod_, settings_.lod, settings_.foveation, inputs_.facts, mayResize_);
   resources_.setBufferBytes(Resource::OitTotals, sizeof(shader::OitTotals));
   const glm::ivec2 size = inputs_.displaySize;
   const glm::ivec2 tiles = (size + plan_.importance.tile - 1) / plan_.importance.tile;
@@ -128,6 +130,12 @@ void FrameRenderer::prepare() {
       Resource::Occupancy,
       area(size) * static_cast<std::size_t>(plan_.options.cullWords) * sizeof(std::uint32_t));
   resources_.setBufferBytes(Resource::CountBins, COUNT_BINS * sizeof(std::uint32_t));
+  // Of full rate: a change of r moves what is used of it.
+  const glm::ivec2 lodTiles = (size + LOD_TILE - 1) / LOD_TILE;
+  resources_.setFixedSize(Resource::ShadingRate, lodTiles);
+  resources_.setBufferBytes(Resource::LodTiles, area(lodTiles) * LOD_RATES * sizeof(std::uint32_t));
+  resources_.setBufferBytes(Resource::LodTotals, sizeof(shader::LodTotals));
+  resources_.setBufferBytes(Resource::LodHoles, area(size) * sizeof(std::uint32_t));
   resources_.setFixedSize(Resource::ShadowMap, glm::ivec2(settings_.shadow.size));
   resources_.setBackground(settings_.background);
   allocate();

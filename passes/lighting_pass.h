@@ -3,11 +3,15 @@
 
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
+#include "passes/lod/plan.h"
 
 namespace macula::passes {
 
+/// Shades every pixel; parts that the level of detail resizes come from a texture. Has no work
+/// where all of the shading is resized.
 class LightingPass final : public frame::Pass {
  public:
+  explicit LightingPass(const LodPlan& lod) : lod_(lod) {}
   [[nodiscard]] std::string_view name() const override { return "lighting"; }
   void declare(frame::PassDeclaration& d) const override;
   [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
@@ -16,8 +20,10 @@ class LightingPass final : public frame::Pass {
   void execute(frame::PassContext& context) override;
 
  private:
+  [[nodiscard]] bool resized() const { return lod_.wanted && lod_.parts.shading; }
+
+  const LodPlan& lod_;
   GLuint program_ = 0;
-  bool shadows_ = false;
 };
 
 }  // namespace macula::passes

@@ -9,7 +9,12 @@ bool needsShadowMap(const scene::SceneFacts& facts) {
 
 gl::Defines lightingDefines(const scene::SceneFacts& facts) {
   gl::Defines defines;
-  if (needsShadowMap(facts)) defines.emplace_back("SHADOWS", "1");
+  if (needsShadowMap(facts)) {
+    defines.emplace_back("SHADOWS", "1");
+    if (facts.shadowTaps != scene::kUsualShadowTaps) {
+      defines.emplace_back("SHADOW_TAPS", std::to_string(facts.shadowTaps));
+    }
+  }
   if (facts.environment) defines.emplace_back("ENVIRONMENT", "1");
   return defines;
 }

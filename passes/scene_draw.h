@@ -11,7 +11,7 @@
 
 namespace macula::passes {
 
-/// Defines that the lighting functions need for this scene: SHADOWS, ENVIRONMENT.
+/// Defines that the lighting functions need for this scene: SHADOWS, SHADOW_TAPS, ENVIRONMENT.
 [[nodiscard]] gl::Defines lightingDefines(const scene::SceneFacts& facts);
 
 /// Whether a shadow map is worth drawing: a light casts, something opaque can block it, and

@@ -16,6 +16,6 @@ void main() {
 #endif
   outNormalOct = encodeOctahedral(s.normal);
   outBaseColor = vec4(s.baseColor, s.metallic);
-  outSurface = vec4(s.roughness, s.occlusion, s.unlit ? 1.0 : 0.0, 0.0);
+  outSurface = vec4(s.roughness, s.occlusion, s.unlit ? 1.0 : 0.0, float(m.flags.z) / 255.0);
   outEmissive = s.emissive;
 }

@@ -1,17 +1,76 @@
-// Deferred lighting of the opaque surfaces, and the background where there are none.
+// Light of the opaque surfaces, and the background where there are none.
 // LIT: at least one material of the scene is lit. SHADOWS, ENVIRONMENT: see lib/lighting.glsl.
+// VEINS, OCCLUSION: the scene has them.
+// Which pixel a thread shades: its own; AT_GRID: that of a texel of the resized image; AT_TILES: that
+// of a sample of a tile in a list; AT_HOLES: one of a list.
+// SKIP_SHADOW, SKIP_OCCLUSION, SKIP_NOISE: parts of the shading that are not computed here.
+// PARTS_OUT: the others come out instead of radiance. PARTS_IN: these come from a texture.
 #include "shared/dispatch.h"
+#include "shared/lod_totals.h"
+#if defined(AT_TILES) || defined(AT_HOLES)
+layout(local_size_x = LOD_LIST_GROUP) in;
+#else
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+#endif
 
 #include "lib/frame.glsl"
 #include "lib/lighting.glsl"
+#include "lib/lod.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D depthTexture;
 layout(binding = TEX_INPUT1) uniform sampler2D normalTexture;
 layout(binding = TEX_INPUT2) uniform sampler2D baseColorTexture;
 layout(binding = TEX_INPUT3) uniform sampler2D surfaceTexture;
 layout(binding = TEX_INPUT4) uniform sampler2D emissiveTexture;
-layout(rgba16f, binding = IMG_0) writeonly uniform image2D hdrColor;
+#ifdef PARTS_IN
+layout(binding = TEX_INPUT5) uniform sampler2D partsTexture;
+#endif
+#if defined(AT_GRID) || defined(AT_TILES)
+layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D lodSamples;
+#elif defined(PARTS_OUT)
+layout(rgba8, binding = IMG_0) writeonly uniform image2D target;
+#else
+layout(rgba16f, binding = IMG_0) writeonly uniform image2D target;
+#endif
+#if defined(AT_TILES) || defined(AT_HOLES)
+layout(std430, binding = SSBO_LOD_TOTALS) readonly buffer Totals { LodTotals totals; };
+#endif
+#ifdef AT_TILES
+layout(std430, binding = SSBO_LOD_TILES) readonly buffer Tiles { uint tiles[]; };
+layout(location = 0) uniform int rateLevel;  // samples are 2^rateLevel texels apart
+#endif
+#ifdef AT_HOLES
+layout(std430, binding = SSBO_LOD_HOLES) readonly buffer Holes { uint holes[]; };
+#endif
+
+#ifdef VEINS
+#include "lib/veins.glsl"
+#endif
+#ifdef OCCLUSION
+#include "lib/occlusion.glsl"
+#endif
+
+/// What can be shaded at a lower rate than the rest.
+struct Parts {
+  float shadow;     // share of the shadow-casting light that arrives
+  float occlusion;  // share of the ambient light that arrives
+  float noise;      // share of the veins' colour
+};
+
+Parts computeParts(SurfacePoint s, uint veins) {
+  Parts parts = Parts(1.0, 1.0, 0.0);
+#if defined(SHADOWS) && !defined(SKIP_SHADOW)
+  parts.shadow = shadowAt(s.position, s.normal);
+#endif
+#if defined(OCCLUSION) && !defined(SKIP_OCCLUSION)
+  parts.occlusion =
+      ambientOcclusion(s.position, s.normal, lights.occlusion.x, int(lights.occlusion.y));
+#endif
+#if defined(VEINS) && !defined(SKIP_NOISE)
+  if (veins > 0u) parts.noise = veinsAt(s.position * lights.veins[veins - 1u].w);
+#endif
+  return parts;
+}
 
 vec3 worldAt(vec2 uv, float depth) {
   vec4 p = frame.inverseViewProjection * vec4(uv * 2.0 - 1.0, depth, 1.0);
@@ -27,36 +86,101 @@ vec3 backgroundAt(vec2 uv) {
 #endif
 }
 
+void store(ivec2 texel, ivec2 pixel, vec3 value, float depth, vec3 normal) {
+#if defined(AT_GRID) || defined(AT_TILES)
+  imageStore(lodSamples, texel, packSample(value, depth * frame.depth.x + frame.depth.y, normal));
+#else
+  imageStore(target, pixel, vec4(value, 1.0));
+#endif
+}
+
+/// The pixel that this thread shades, and the texel of L that it is for.
+/// @returns whether there is one
+bool findPixel(out ivec2 pixel, out ivec2 texel) {
+#if defined(AT_TILES)
+  uint side = uint(LOD_TILE) >> uint(rateLevel);
+  uint entry = gl_GlobalInvocationID.x / (side * side);
+  if (entry >= totals.dispatches[rateLevel].w) return false;
+  uint place = gl_GlobalInvocationID.x % (side * side);
+  uint tile = tiles[uint(rateLevel) * uint(frame.lodSize.z * frame.lodSize.w) + entry];
+  ivec2 corner = ivec2(tile % uint(frame.lodSize.z), tile / uint(frame.lodSize.z)) * LOD_TILE;
+  texel = corner + (ivec2(place % side, place / side) << rateLevel);
+  pixel = samplePixel(texel >> rateLevel, frame.resize.x * float(1 << rateLevel));
+  return texel.x < frame.lodSize.x && texel.y < frame.lodSize.y;
+#elif defined(AT_HOLES)
+  texel = ivec2(0);
+  if (gl_GlobalInvocationID.x >= totals.dispatches[LOD_RATES].w) return false;
+  uint hole = holes[gl_GlobalInvocationID.x];
+  pixel = ivec2(hole & 0xFFFFu, hole >> 16);
+  return true;
+#elif defined(AT_GRID)
+  texel = ivec2(gl_GlobalInvocationID.xy);
+  pixel = samplePixel(texel, frame.resize.x);
+  return texel.x < frame.lodSize.x && texel.y < frame.lodSize.y;
+#else
+  texel = ivec2(0);
+  pixel = ivec2(gl_GlobalInvocationID.xy);
+  return pixel.x < int(frame.size.x) && pixel.y < int(frame.size.y);
+#endif
+}
+
 void main() {
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
+  ivec2 p, texel;
+  if (!findPixel(p, texel)) return;
   vec2 uv = (vec2(p) + 0.5) * frame.size.zw;
   float depth = texelFetch(depthTexture, p, 0).r;
   if (depth == 0.0) {
-    imageStore(hdrColor, p, vec4(backgroundAt(uv), 1.0));
+#ifdef PARTS_OUT
+    store(texel, p, vec3(1.0, 1.0, 0.0), depth, vec3(0.0));
+#else
+    store(texel, p, backgroundAt(uv), depth, vec3(0.0));
+#endif
     return;
   }
-  vec4 baseColor = texelFetch(baseColorTexture, p, 0);
   vec4 surface = texelFetch(surfaceTexture, p, 0);
+  SurfacePoint s;
+  s.position = worldAt(uv, depth);
+  s.normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
+  s.unlit = surface.z > 0.5;
+  uint veins = uint(surface.w * 255.0 + 0.5);
+#ifdef PARTS_OUT
+  Parts parts = Parts(1.0, 1.0, 0.0);
+  if (!s.unlit) parts = computeParts(s, veins);
+  store(texel, p, vec3(parts.shadow, parts.occlusion, parts.noise), depth, s.normal);
+#else
+  vec4 baseColor = texelFetch(baseColorTexture, p, 0);
   vec3 radiance = texelFetch(emissiveTexture, p, 0).rgb;
-  if (surface.z > 0.5) {
-    radiance += baseColor.rgb;  // unlit
+  if (s.unlit) {
+    radiance += baseColor.rgb;
   }
 #ifdef LIT
   else {
-    SurfacePoint s;
-    s.position = worldAt(uv, depth);
-    s.normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
+    Parts parts = computeParts(s, veins);
+#ifdef PARTS_IN
+    vec3 given = texelFetch(partsTexture, p, 0).rgb;
+#ifdef SKIP_SHADOW
+    parts.shadow = given.r;
+#endif
+#ifdef SKIP_OCCLUSION
+    parts.occlusion = given.g;
+#endif
+#ifdef SKIP_NOISE
+    parts.noise = given.b;
+#endif
+#endif
     s.baseColor = baseColor.rgb;
+#ifdef VEINS
+    if (veins > 0u) s.baseColor = mix(baseColor.rgb, lights.veins[veins - 1u].rgb, parts.noise);
+#endif
     s.alpha = 1.0;
     s.metallic = baseColor.a;
     s.roughness = surface.x;
-    s.occlusion = surface.y;
+    s.occlusion = surface.y * parts.occlusion;
     s.emissive = vec3(0.0);
-    s.unlit = false;
-    Radiance sum = lightSurface(s, frame.eye.xyz);
+    Radiance sum = lightSurface(s, frame.eye.xyz, parts.shadow);
     radiance += sum.diffuse + sum.specular;
   }
 #endif
-  imageStore(hdrColor, p, vec4(radiance, 1.0));
+  store(texel, p, radiance, depth, s.normal);
+#endif
 }

@@ -11,6 +11,8 @@ GLbitfield bitFor(Use use) {
       return GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
     case Use::Storage:
       return GL_SHADER_STORAGE_BARRIER_BIT;
+    case Use::Indirect:
+      return GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT;
     case Use::ColorTarget:
     case Use::DepthTarget:
       return GL_FRAMEBUFFER_BARRIER_BIT;
@@ -19,7 +21,8 @@ GLbitfield bitFor(Use use) {
 }
 
 constexpr GLbitfield kAllUses = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                                GL_SHADER_STORAGE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT;
+                                GL_SHADER_STORAGE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                                GL_COMMAND_BARRIER_BIT;
 
 bool writesIncoherently(const Touch& touch) {
   const bool writes = touch.access == Access::Write || touch.access == Access::Modify ||

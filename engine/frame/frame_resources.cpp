@@ -14,7 +14,7 @@ std::size_t indexOf(Resource r) {
 }
 
 bool isInteger(GLenum format) {
-  return format == GL_R32UI || format == GL_RG32UI;
+  return format == GL_R8UI || format == GL_R32UI || format == GL_RG32UI;
 }
 
 }  // namespace
@@ -98,6 +98,11 @@ const gl::Texture& FrameResources::texture(Resource r) const {
 const gl::Buffer& FrameResources::buffer(Resource r) const {
   assert(buffers_[indexOf(r)] && "declared resources are allocated");
   return buffers_[indexOf(r)];
+}
+
+void FrameResources::upload(Resource r, const void* values, std::size_t bytes) {
+  assert(bytes <= buffer(r).bytes());
+  buffers_[indexOf(r)].upload(values, bytes);
 }
 
 std::uint64_t FrameResources::bytesOf(Resource r) const {

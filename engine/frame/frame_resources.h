@@ -46,6 +46,9 @@ class FrameResources {
   /// @param depth Resource::Count for none
   GLuint framebuffer(std::initializer_list<Resource> colors, Resource depth);
 
+  /// Replaces the first bytes of a buffer. @param bytes at most the buffer's
+  void upload(Resource buffer, const void* values, std::size_t bytes);
+
   /// Fills a resource with its clear value.
   void clear(Resource r) const;
 

@@ -19,6 +19,7 @@ enum class Use : std::uint8_t {
   Texture,      ///< sampled or fetched
   Image,        ///< image load and store
   Storage,      ///< shader storage buffer
+  Indirect,     ///< indirect dispatch, and shader storage of the shader that is dispatched
   ColorTarget,  ///< rendered to
   DepthTarget,  ///< depth-tested, perhaps written, as attachment
 };

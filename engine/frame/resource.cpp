@@ -17,6 +17,12 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::BaseColor, "base colour", GL_SRGB8_ALPHA8, Display, B::GBuffer, C::Never},
     {R::Surface, "surface", GL_RGBA8, Display, B::GBuffer, C::Never},
     {R::Emissive, "emissive", GL_R11F_G11F_B10F, Display, B::GBuffer, C::Never},
+    {R::ShadingRate, "shading rate", GL_R8UI, Fixed, B::Other, C::Zero},
+    {R::LodTiles, "level-of-detail tiles", 0, Bytes, B::Other, C::Never},
+    {R::LodTotals, "level-of-detail totals", 0, Bytes, B::Other, C::Zero},
+    {R::LodSamples, "level-of-detail samples", GL_RGBA32UI, DisplayOverR, B::Other, C::Never},
+    {R::LodHoles, "level-of-detail holes", 0, Bytes, B::Other, C::Never},
+    {R::ShadingParts, "shading parts", GL_RGBA8, Display, B::Other, C::Never},
     {R::HdrColor, "HDR colour", GL_RGBA16F, Display, B::Other, C::Background},
     // 32-bit, because 16-bit floats stop counting at 2,048.
     {R::FragmentCount, "fragment count", GL_R32F, Display, B::Overhead, C::Zero},

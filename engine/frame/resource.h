@@ -17,6 +17,12 @@ enum class Resource : std::uint8_t {
   BaseColor,          ///< base colour (sRGB-encoded) and metallic
   Surface,            ///< roughness, occlusion, flags
   Emissive,           ///< linear emitted radiance
+  ShadingRate,        ///< pitch of the samples of a tile of the resized image: 1, 2, 4 or 8
+  LodTiles,           ///< numbers of the tiles of each rate
+  LodTotals,          ///< indirect dispatches and counts: see shaders/shared/lod_totals.h
+  LodSamples,         ///< low-rate samples: what was shaded, distance, normal
+  LodHoles,           ///< pixels that no sample fits
+  ShadingParts,       ///< shadow, ambient occlusion, noise of each pixel
   HdrColor,           ///< linear radiance of the image so far
   FragmentCount,      ///< transparent fragments per pixel that pass opaque depth
   PredictedCount,     ///< the same as the last frame lets expect

@@ -14,6 +14,8 @@
 namespace macula::scene {
 namespace {
 
+static_assert(kMostVeins == MAX_VEINS);
+
 constexpr std::array<std::uint32_t, MATERIAL_TEXTURES> kTextureFlags{
     MATERIAL_HAS_BASE_COLOR_TEXTURE, MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE,
     MATERIAL_HAS_NORMAL_TEXTURE, MATERIAL_HAS_OCCLUSION_TEXTURE, MATERIAL_HAS_EMISSIVE_TEXTURE};
@@ -85,6 +87,17 @@ shader::MaterialData dataOf(const Material& m) {
   return d;
 }
 
+/// Numbers of the materials with veins, in their order; kNone for the others.
+std::vector<std::int32_t> veinNumbers(const Scene& scene) {
+  std::vector<std::int32_t> numbers;
+  std::int32_t next = 0;
+  for (const Material& material : scene.materials) {
+    const bool has = material.veins.any() && !material.unlit && next < MAX_VEINS;
+    numbers.push_back(has ? next++ : kNone);
+  }
+  return numbers;
+}
+
 shader::LightData dataOf(const Light& light) {
   shader::LightData d{};
   const auto type = static_cast<float>(light.type);
@@ -138,7 +151,11 @@ void GpuScene::uploadTextures(const Scene& scene) {
 
 void GpuScene::uploadMaterials(const Scene& scene) {
   std::vector<shader::MaterialData> data{dataOf(Material{})};
-  for (const Material& material : scene.materials) data.push_back(dataOf(material));
+  const std::vector<std::int32_t> veins = veinNumbers(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    data.push_back(dataOf(scene.materials[i]));
+    data.back().flags.z = static_cast<std::uint32_t>(veins[i] + 1);
+  }
   materials_ = gl::Buffer::of<shader::MaterialData>("materials", data);
 }
 
@@ -155,6 +172,14 @@ void GpuScene::uploadLights(const Scene& scene, const Environment* environment) 
                                            glm::vec3(0.5F, 0.5F, 1.0F));
     block.shadowMatrix = toTexture * shadowViewProjection_;
     block.shadow.x = 2.0F * bounds_.radius();  // world width of the map; the shader knows its size
+  }
+  block.occlusion =
+      glm::vec4(scene.occlusion.radius, static_cast<float>(scene.occlusion.samples), 0.0F, 0.0F);
+  const std::vector<std::int32_t> veins = veinNumbers(scene);
+  for (std::size_t i = 0; i < veins.size(); ++i) {
+    if (veins[i] == kNone) continue;
+    const Veins& v = scene.materials[i].veins;
+    block.veins[veins[i]] = glm::vec4(v.color, v.scale);
   }
   if (environment != nullptr) {
     const Panorama& base = environment->levels.front();

@@ -1,5 +1,6 @@
 // Importance of a pixel (Vasilakis 2017, Eq. 3-6), each factor clamped to 0..1.
 #include "lib/frame.glsl"
+#include "lib/hash.glsl"
 
 struct ImportanceSettings {
   float rangeBias;   // alpha of Eq. 3
@@ -7,13 +8,6 @@ struct ImportanceSettings {
   float noise;       // lambda of Eq. 6
   float layerLimit;  // N_limit of Eq. 3
 };
-
-/// PCG hash (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
-uint hashPcg(uint x) {
-  uint state = x * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
 
 /// Eq. 3.
 float depthComplexityFactor(float layers, ImportanceSettings s) {

@@ -14,21 +14,43 @@ layout(binding = TEX_ENVIRONMENT) uniform sampler2D environmentMap;
 #endif
 
 #ifdef SHADOWS
-/// Percentage-closer filtering (Reeves et al. 1987) over 3x3 bilinear comparisons.
+#ifndef SHADOW_TAPS
+#define SHADOW_TAPS 3
+#endif
+
+/// Percentage-closer filtering (Reeves et al. 1987) over SHADOW_TAPS x SHADOW_TAPS bilinear
+/// comparisons.
 float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
   float texel = 1.0 / float(textureSize(shadowMap, 0).x);
   // Moving the receiver along its normal by some texels of the map hides self-shadowing; more at
   // grazing light, where one texel covers more of the surface.
   float grazing = sqrt(max(0.0, 1.0 - dot(normal, toLight) * dot(normal, toLight)));
-  vec3 p = position + normal * (lights.shadow.x * texel * (0.75 + 1.5 * grazing));
+  const int kReach = SHADOW_TAPS / 2;
+  float width = max(float(kReach), 1.0);
+  vec3 p = position + normal * (lights.shadow.x * texel * width * (0.75 + 1.5 * grazing));
   vec3 uvz = (lights.shadowMatrix * vec4(p, 1.0)).xyz;
   float sum = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) sum += texture(shadowMap, uvz + vec3(vec2(x, y) * texel, 0.0));
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      sum += texture(shadowMap, uvz + vec3(vec2(x, y) * texel, 0.0));
+    }
   }
-  return sum / 9.0;
+  return sum / float(SHADOW_TAPS * SHADOW_TAPS);
 }
 #endif
+
+/// Share of the shadow-casting light that arrives; 1 where the surface faces away from it.
+float shadowAt(vec3 position, vec3 normal) {
+#ifdef SHADOWS
+  int count = int(lights.ambient.w);
+  for (int i = 0; i < count; ++i) {
+    if (lights.lights[i].color.w == 0.0) continue;
+    vec3 l = -lights.lights[i].direction.xyz;
+    return dot(normal, l) > 0.0 ? shadowFactor(position, normal, l) : 1.0;
+  }
+#endif
+  return 1.0;
+}
 
 #ifdef ENVIRONMENT
 vec2 panoramaUv(vec3 d) {
@@ -93,7 +115,8 @@ struct Radiance {
   vec3 specular;
 };
 
-Radiance lightSurface(SurfacePoint s, vec3 eye) {
+/// @param shadow see shadowAt()
+Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
   Reflection r = reflectionOf(s.baseColor, s.metallic, s.roughness);
   vec3 v = normalize(eye - s.position);
   float nDotV = max(dot(s.normal, v), 1e-4);  // normal maps can turn away from the eye
@@ -105,9 +128,7 @@ Radiance lightSurface(SurfacePoint s, vec3 eye) {
     float attenuation = lightTowards(light, s.position, l);
     float nDotL = dot(s.normal, l);
     if (nDotL <= 0.0 || attenuation <= 0.0) continue;
-#ifdef SHADOWS
-    if (light.color.w > 0.0) attenuation *= shadowFactor(s.position, s.normal, l);
-#endif
+    if (light.color.w > 0.0) attenuation *= shadow;
     vec3 h = normalize(l + v);
     vec3 f = fresnelSchlick(r.f0, max(dot(v, h), 0.0));
     vec3 incoming = light.color.rgb * (attenuation * nDotL);
@@ -123,4 +144,8 @@ Radiance lightSurface(SurfacePoint s, vec3 eye) {
   sum.diffuse += r.diffuse * (1.0 - reflected) * ambientRadiance(s.normal) * s.occlusion;
   sum.specular += reflected * mirror * s.occlusion;
   return sum;
+}
+
+Radiance lightSurface(SurfacePoint s, vec3 eye) {
+  return lightSurface(s, eye, shadowAt(s.position, s.normal));
 }

@@ -17,6 +17,9 @@
 #define SSBO_STRIP_SUMS 7
 #define SSBO_OCCUPANCY 8
 #define SSBO_OIT_STATISTICS 9
+#define SSBO_LOD_TOTALS 10
+#define SSBO_LOD_TILES 11
+#define SSBO_LOD_HOLES 12
 
 // Textures of a material (one draw run each)
 #define TEX_BASE_COLOR 0
@@ -34,6 +37,7 @@
 #define TEX_INPUT2 10
 #define TEX_INPUT3 11
 #define TEX_INPUT4 12
+#define TEX_INPUT5 13
 
 // Images
 #define IMG_0 0

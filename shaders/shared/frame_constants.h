@@ -18,6 +18,14 @@ struct FrameConstants {
                     // pixel's occupancy map
   vec4 slices;      // near plane, far plane; z: depth slices, w: samples a side that share them
   mat4 reprojection;  // clip space of this frame to that of the last
+  vec4 right;         // xyz: from the middle of the view to its right edge, at distance 1
+  vec4 up;            // the same to its upper edge
+  vec4 ahead;         // unit length
+  vec4 depth;         // 1 / distance along `ahead` = x * depth + y
+  vec4 resize;        // x: r, y: 1 / r; z: distance of the viewer in samples of the image
+  ivec4 lodSize;      // texels of the resized image, tiles of it
+  vec4 acuity;        // slope m, w0 in degrees, samples that go to a minimum angle of resolution,
+                      // coarsest rate
 };
 
 MACULA_SHARED_END

@@ -21,6 +21,8 @@
 #define MAX_LIGHTS 32
 // Spherical harmonics up to l = 2 (Ramamoorthi and Hanrahan 2001).
 #define SH_COEFFICIENTS 9
+// Materials with procedural veins; more would not fit their number in the G-buffer's byte evenly.
+#define MAX_VEINS 8
 
 MACULA_SHARED_BEGIN
 
@@ -39,7 +41,8 @@ struct MaterialData {
   vec4 emissive;      // rgb; w: normal scale
   vec4 surface;       // metallic, roughness, occlusion strength, alpha cutoff
   vec4 transmission;  // rgb: attenuation over the thickness; w: transmission factor
-  uvec4 flags;        // x: MATERIAL_*; y: bit i set where texture i uses the second UV set
+  uvec4 flags;        // x: MATERIAL_*; y: bit i set where texture i uses the second UV set;
+                      // z: number of its veins plus one, 0 for none
 };
 
 struct LightData {
@@ -50,10 +53,12 @@ struct LightData {
 };
 
 struct LightBlock {
-  vec4 ambient;                    // constant ambient radiance; w: count of lights
-  vec4 environment;                // x: mip levels, y: intensity
-  mat4 shadowMatrix;               // world to shadow map, 0..1 in x, y and z
-  vec4 shadow;                     // x: width of the map in world units
+  vec4 ambient;           // constant ambient radiance; w: count of lights
+  vec4 environment;       // x: mip levels, y: intensity
+  mat4 shadowMatrix;      // world to shadow map, 0..1 in x, y and z
+  vec4 shadow;            // x: width of the map in world units
+  vec4 occlusion;         // x: radius in world units, y: samples
+  vec4 veins[MAX_VEINS];  // linear rgb; w: veins a metre
   vec4 irradiance[SH_COEFFICIENTS];
   LightData lights[MAX_LIGHTS];
 };

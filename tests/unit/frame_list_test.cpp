@@ -22,6 +22,9 @@ std::vector<std::string> running(const frame::FrameList& list, const scene::Scen
   return names;
 }
 
+/// Nothing is resized.
+const LodPlan kFullRate;
+
 TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RenderSettings settings;
   int frames = 0;
@@ -32,7 +35,7 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
         OitPlan plan = test::planOf(options, sync);
         plan.factorMaps = factors;
         if (factors && !plan.mapsImportance()) continue;
-        EXPECT_THAT(makeFrameList(settings, plan).validate(), testing::IsEmpty())
+        EXPECT_THAT(makeFrameList(settings, plan, kFullRate).validate(), testing::IsEmpty())
             << test::describe(options) << " sync " << nameOf(sync);
         ++frames;
       }
@@ -42,10 +45,57 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RecordProperty("frames", frames);
 }
 
+TEST(FrameList, IsSoundForEveryLevelOfDetail) {
+  const RenderSettings settings;
+  const OitPlan plan{.method = &methodById("kb-variable")};
+  const scene::SceneFacts facts{.opaqueTriangles = 1,
+                                .litOpaque = true,
+                                .shadowLight = true,
+                                .veins = true,
+                                .occlusion = {.radius = 1.0F, .samples = 16}};
+  for (const char* what : {"shading", "shadow", "ao,noise", "shadow,ao,noise"}) {
+    for (const char* reconstruction : {"bilinear", "yang2008", "macula"}) {
+      for (const bool foveated : {false, true}) {
+        LodSettings lod{.resize = 2.0, .what = what};
+        lod.reconstruction =
+            std::string_view(reconstruction) == "bilinear" ? Reconstruction::Bilinear
+            : std::string_view(reconstruction) == "macula" ? Reconstruction::Macula
+                                                           : Reconstruction::Yang2008;
+        FoveationSettings foveation;
+        foveation.enabled = foveated;
+        LodPlan planned;
+        planLod(planned, lod, foveation, facts, false);
+        const frame::FrameList list = makeFrameList(settings, plan, planned);
+        EXPECT_THAT(list.validate(), testing::IsEmpty()) << what << ' ' << reconstruction;
+        EXPECT_EQ(testing::Matches(testing::Contains("lighting"))(running(list, facts)),
+                  std::string_view(what) != "shading");
+      }
+    }
+  }
+}
+
+TEST(FrameList, ResizesNothingThatTheSceneLacks) {
+  const RenderSettings settings;
+  const OitPlan plan{.method = &methodById("kb-variable")};
+  const scene::SceneFacts lit{.opaqueTriangles = 1, .litOpaque = true};
+  const auto runs = [&](const LodSettings& lod, const scene::SceneFacts& facts) {
+    LodPlan planned;
+    planLod(planned, lod, {}, facts, false);
+    return running(makeFrameList(settings, plan, planned), facts);
+  };
+  const std::vector<std::string> plain{"gbuffer", "lighting", "tonemap"};
+  EXPECT_EQ(runs({.resize = 2.0, .what = "shadow,ao,noise"}, lit), plain);
+  EXPECT_EQ(runs({.resize = 1.0}, lit), plain);
+  EXPECT_EQ(runs({.resize = 2.0}, {.opaqueTriangles = 1, .unlitOpaque = true}), plain);
+  EXPECT_EQ(runs({.resize = 2.0}, lit),
+            (std::vector<std::string>{"gbuffer", "lod.rates", "lod.shade", "lod.reconstruct",
+                                      "lod.holes", "tonemap"}));
+}
+
 TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
   const RenderSettings settings;
   const OitPlan variable{.method = &methodById("kb-variable")};
-  const frame::FrameList list = makeFrameList(settings, variable);
+  const frame::FrameList list = makeFrameList(settings, variable, kFullRate);
   EXPECT_EQ(running(list, {}), (std::vector<std::string>{"tonemap"}));
   EXPECT_EQ(running(list, {.opaqueTriangles = 1, .unlitOpaque = true, .shadowLight = true}),
             (std::vector<std::string>{"gbuffer", "lighting", "tonemap"}))
@@ -56,15 +106,15 @@ TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
             (std::vector<std::string>{"oit.count", "oit.importance", "oit.reserve", "oit.allocate",
                                       "oit.capture", "oit.resolve", "tonemap"}));
   const OitPlan blend{.method = &methodById("blend")};
-  EXPECT_EQ(running(makeFrameList(settings, blend), {.transparentTriangles = 1}),
+  EXPECT_EQ(running(makeFrameList(settings, blend, kFullRate), {.transparentTriangles = 1}),
             (std::vector<std::string>{"oit.blend", "tonemap"}));
 }
 
 TEST(FrameList, ReleasesWhatAMethodDoesNotUse) {
   const RenderSettings settings;
   const OitPlan exact{.method = &methodById("ab-sbuffer")};
-  const auto needed =
-      makeFrameList(settings, exact).neededResources(inputsOf({.transparentTriangles = 1}));
+  const auto needed = makeFrameList(settings, exact, kFullRate)
+                          .neededResources(inputsOf({.transparentTriangles = 1}));
   EXPECT_THAT(needed, testing::Contains(frame::Resource::FragmentKeys));
   EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::Importance)));
   EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::FragmentLock)));

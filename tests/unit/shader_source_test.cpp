@@ -79,6 +79,12 @@ void addCombinations(std::vector<Variant>& out, const std::string& file, const D
   }
 }
 
+Defines together(const Defines& a, const Defines& b) {
+  Defines all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
 /// Adds a variant unless it is there already.
 class VariantSet {
  public:
@@ -98,12 +104,6 @@ class VariantSet {
   std::set<std::string> seen_;
 };
 
-Defines together(const Defines& a, const Defines& b) {
-  Defines all = a;
-  all.insert(all.end(), b.begin(), b.end());
-  return all;
-}
-
 /// What lit, textured and environment runs add. All of their combinations are compiled with
 /// oit/blend.frag; the least and the most are enough where an option multiplies them.
 const std::vector<std::string> kShading{"LIT", "TEXTURED", "SHADOWS", "ENVIRONMENT"};
@@ -119,6 +119,20 @@ void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
   addCombinations(all, "shadow.frag", {}, {"MASK"});
   addCombinations(all, "lighting.comp", {}, {"LIT", "SHADOWS", "ENVIRONMENT"});
+  const Defines rich{{"LIT", "1"},   {"SHADOWS", "1"},   {"SHADOW_TAPS", "9"},
+                     {"VEINS", "1"}, {"OCCLUSION", "1"}, {"ENVIRONMENT", "1"}};
+  const Defines skips{{"SKIP_SHADOW", "1"}, {"SKIP_OCCLUSION", "1"}, {"SKIP_NOISE", "1"}};
+  for (const char* place : {"AT_PIXELS", "AT_GRID", "AT_TILES", "AT_HOLES"}) {
+    addCombinations(all, "lighting.comp", together(rich, {{place, "1"}}), {});
+    addCombinations(all, "lighting.comp", together(rich, {{place, "1"}, {"PARTS_OUT", "1"}}),
+                    {"SKIP_SHADOW", "SKIP_OCCLUSION", "SKIP_NOISE"});
+  }
+  addCombinations(all, "lighting.comp", together(together(rich, skips), {{"PARTS_IN", "1"}}), {});
+  addCombinations(all, "lod/rates.comp", {}, {});
+  for (const char* filter : {"BILINEAR", "YANG2008", "MACULA"}) {
+    addCombinations(all, "lod/reconstruct.comp", {{filter, "1"}},
+                    {"PARTS", "FOVEATED", "SHADE_HOLES"});
+  }
   for (const char* curve : {"0", "1", "2"}) {
     addCombinations(all, "tonemap.comp", {{"TONEMAP", curve}, {"SSAA", "2"}}, {"LINEAR_OUT"});
   }

@@ -41,9 +41,11 @@ void info(Options& options, const CLI::App& command) {
   const scene::SceneInfo facts = scene::describe(loaded);
   prepareForRendering(loaded, options.settings);
   const passes::OitPlan plan{.method = &passes::methodById(options.settings.oit.method)};
-  const frame::FrameList frame = passes::makeFrameList(options.settings, plan);
-  const auto report =
-      frame.report(passes::inputsOf(scene::factsOf(loaded, !options.settings.environment.empty())));
+  const frame::FrameInputs inputs =
+      passes::inputsOf(scene::factsOf(loaded, !options.settings.environment.empty()));
+  passes::LodPlan lod;
+  passes::planLod(lod, options.settings.lod, options.settings.foveation, inputs.facts, false);
+  const auto report = passes::makeFrameList(options.settings, plan, lod).report(inputs);
   if (options.json != "-") {
     fmt::print("triangles    {} ({} transparent)\ndraws        {}\n", facts.triangles,
                facts.transparentTriangles, facts.draws);

@@ -1,0 +1,62 @@
+// What the passes of the level of detail agree on in one frame.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "engine/frame/frame_inputs.h"
+#include "engine/frame/resource.h"
+#include "engine/gl/program.h"
+#include "passes/lod/settings.h"
+
+namespace macula::passes {
+
+/// What follows from settings, scene and levers. The first part changes with settings and scene
+/// only; the second from frame to frame, without any allocation.
+struct LodPlan {
+  /// Opaque surfaces may be shaded at less than full rate: the passes have work.
+  bool wanted = false;
+  /// What is: `shading`, or those of the other parts that the scene has.
+  LodParts parts = {};
+  Reconstruction reconstruction = Reconstruction::Macula;
+  Holes holes = Holes::Shade;
+  glm::vec2 sigma{0.0F};  ///< of normals and of depth, for yang2008
+  bool foveated = false;
+
+  double resize = 1.0;      ///< r
+  glm::ivec2 size{0};       ///< samples of the image
+  glm::ivec2 texels{0};     ///< of the resized image L
+  glm::ivec2 tiles{0};      ///< of L
+  glm::vec4 acuity{0.0F};   ///< slope, w0 in degrees, samples a minimum angle, coarsest rate
+  float viewerSamples = 1;  ///< distance of the viewer in samples of the image
+  int load = 1;             ///< times that the shading is computed
+
+  /// Whether this frame shades every pixel, so that nothing is reconstructed.
+  [[nodiscard]] bool fullRate() const { return resize == 1.0 && !foveated; }
+  /// Whether pixels without a fitting sample are shaded.
+  [[nodiscard]] bool shadesHoles() const {
+    return holes == Holes::Shade && reconstruction != Reconstruction::Bilinear;
+  }
+  /// What is reconstructed, and shaded in holes.
+  [[nodiscard]] frame::Resource target() const {
+    return parts.shading ? frame::Resource::HdrColor : frame::Resource::ShadingParts;
+  }
+};
+
+/// Fills in the first part. @param mayResize a controller may ask for less than full rate
+void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings& foveation,
+             const scene::SceneFacts& facts, bool mayResize);
+
+/// Fills in the second part.
+/// @param samplesPerAxis supersampling
+void planFrame(LodPlan& plan, const LodSettings& settings, const FoveationSettings& foveation,
+               const frame::FrameInputs& inputs, int samplesPerAxis);
+
+/// Texels of L for an image of this size: the pitch of samples is r, the last one may be narrower.
+[[nodiscard]] glm::ivec2 resizedTexels(glm::ivec2 size, double resize);
+
+/// Distance of the viewer's eyes in pixels of an image, from settings or display: an angle of one
+/// degree at the middle spans pixelsPerDegree.
+[[nodiscard]] double viewerDistance(const FoveationSettings& settings, int imageWidth);
+
+}  // namespace macula::passes

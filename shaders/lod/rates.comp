@@ -1,0 +1,49 @@
+// Shading rate of each tile of the resized image by the distance from the point of interest, and
+// lists of the tiles of each rate.
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+
+#include "lib/frame.glsl"
+#include "lib/lod.glsl"
+
+layout(r8ui, binding = IMG_0) writeonly uniform uimage2D shadingRate;
+layout(std430, binding = SSBO_LOD_TILES) writeonly buffer Tiles { uint tiles[]; };
+layout(std430, binding = SSBO_LOD_TOTALS) buffer Totals { LodTotals totals; };
+
+/// Full-rate samples that may share one sample of the shading where the eye resolves
+/// MAR(e) = slope e + w0 (Guenter et al. 2012, section 3). Mirrored by passes/lod/rates.cpp.
+float allowedPitch(vec2 place) {
+  vec2 middle = 0.5 * frame.size.xy;
+  // Where the gaze is uncertain, all of a disc is looked at.
+  vec2 away = place - frame.gaze.xy;
+  float distance = length(away);
+  vec2 nearest = frame.gaze.xy + away * (max(distance - frame.gaze.z, 0.0) / max(distance, 1e-3));
+  vec3 toGaze = normalize(vec3(frame.gaze.xy - middle, frame.resize.z));
+  vec3 toPlace = normalize(vec3(nearest - middle, frame.resize.z));
+  // Not acos of the dot product, which loses small angles to rounding.
+  float eccentricity = degrees(atan(length(cross(toGaze, toPlace)), dot(toGaze, toPlace)));
+  float mar = frame.acuity.x * eccentricity + frame.acuity.y;
+  return radians(mar) * frame.resize.z / frame.acuity.z;
+}
+
+void main() {
+  ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+  if (tile.x >= frame.lodSize.z || tile.y >= frame.lodSize.w) return;
+  vec2 low = vec2(tile * LOD_TILE) * frame.resize.x;
+  vec2 high = low + float(LOD_TILE) * frame.resize.x;
+  float allowed = allowedPitch(clamp(frame.gaze.xy, low, high));
+  int level = 0;
+  while (float(2 << level) * frame.resize.x <= allowed && float(2 << level) <= frame.acuity.w) {
+    ++level;
+  }
+  imageStore(shadingRate, tile, uvec4(1u << level));
+  uint number = uint(tile.y * frame.lodSize.z + tile.x);
+  uint entry = atomicAdd(totals.dispatches[level].w, 1u);
+  tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;
+  int side = LOD_TILE >> level;
+  uint groups = ((entry + 1u) * uint(side * side) + uint(LOD_LIST_GROUP) - 1u) / uint(LOD_LIST_GROUP);
+  atomicMax(totals.dispatches[level].x, groups);
+  ivec2 inside = min(frame.lodSize.xy - tile * LOD_TILE, ivec2(LOD_TILE));
+  ivec2 cells = (inside + (1 << level) - 1) >> level;
+  atomicAdd(totals.shaded, uint(cells.x * cells.y));
+}

@@ -1,0 +1,187 @@
+// Full-rate pixels from the samples of the resized image: the weighted mean of the 2x2 samples
+// around each (Yang, Sander & Lawrence 2008, Eq. 1).
+// BILINEAR: weights by distance in the image alone. YANG2008: and by Gaussians of the differences in
+// normal and depth. Else: and by how well a sample fits the pixel's tangent plane and normal.
+// PARTS: what is reconstructed are parts of the shading. FOVEATED: samples are 1 to 8 texels apart,
+// tile by tile. SHADE_HOLES: pixels that no sample fits go to a list; else they take the best one.
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+
+#include "lib/frame.glsl"
+#include "lib/lod.glsl"
+#include "lib/surface.glsl"
+
+layout(binding = TEX_INPUT0) uniform usampler2D lodSamples;
+layout(binding = TEX_INPUT1) uniform sampler2D depthTexture;
+layout(binding = TEX_INPUT2) uniform sampler2D normalTexture;
+#ifdef FOVEATED
+layout(binding = TEX_INPUT3) uniform usampler2D shadingRate;
+#endif
+#ifdef PARTS
+layout(rgba8, binding = IMG_0) writeonly uniform image2D target;
+#else
+layout(rgba16f, binding = IMG_0) writeonly uniform image2D target;
+#endif
+#ifdef SHADE_HOLES
+layout(std430, binding = SSBO_LOD_TOTALS) buffer Totals { LodTotals totals; };
+layout(std430, binding = SSBO_LOD_HOLES) writeonly buffer Holes { uint holes[]; };
+#endif
+#ifdef YANG2008
+layout(location = 0) uniform vec2 sigma;  // of normals over their z; of depth, share of the pixel's
+#endif
+
+/// A fit below this is none: the sample lies on another surface. At it a Gaussian is 2.4 sigma out.
+const float kLeastFit = 0.05;
+
+/// The samples around a pixel, lower left to upper right, with where the pixel lies between them.
+struct Taps {
+  uvec4 texels[4];
+  ivec2 pixels[4];
+  vec2 between;
+};
+
+Taps tapsAround(ivec2 p) {
+  int rate = 1;
+#ifdef FOVEATED
+  ivec2 tile = ivec2((vec2(p) + 0.5) * frame.resize.y) / LOD_TILE;
+  rate = int(texelFetch(shadingRate, min(tile, frame.lodSize.zw - 1), 0).r);
+#endif
+  float pitch = frame.resize.x * float(rate);
+  ivec2 last = cellsOf(rate) - 1;
+  ivec2 low = ivec2(floor((vec2(p) + 0.5) / pitch - 0.5));
+  // Samples lie at pixels, up to half a pixel off the even grid.
+  low += ivec2(lessThanEqual(samplePixel(low + 1, pitch), p));
+  low -= ivec2(greaterThan(samplePixel(low, pitch), p));
+  ivec2 high = min(low + 1, last);
+  low = clamp(low, ivec2(0), last);
+  ivec2 from = samplePixel(low, pitch);
+  ivec2 to = samplePixel(high, pitch);
+  Taps taps;
+  taps.between = clamp(vec2(p - from) / vec2(max(to - from, ivec2(1))), 0.0, 1.0);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 cell = ivec2((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y);
+    ivec2 texel = cell * rate;
+    taps.pixels[i] = ivec2((i & 1) != 0 ? to.x : from.x, (i & 2) != 0 ? to.y : from.y);
+#ifdef FOVEATED
+    // In the next tile, where samples may be denser or sparser: the cell around this place.
+    ivec2 place = texel + rate / 2;
+    int there = int(texelFetch(shadingRate, min(place / LOD_TILE, frame.lodSize.zw - 1), 0).r);
+    if (there != rate) {
+      cell = min(place / there, cellsOf(there) - 1);
+      texel = cell * there;
+      taps.pixels[i] = samplePixel(cell, frame.resize.x * float(there));
+    }
+#endif
+    taps.texels[i] = texelFetch(lodSamples, texel, 0);
+  }
+  return taps;
+}
+
+/// The far plane is the background.
+bool isSurface(uvec4 texel) { return uintBitsToFloat(texel.z) > frame.depth.y; }
+
+vec4 tentOf(vec2 between) {
+  vec2 rest = 1.0 - between;
+  return vec4(rest.x * rest.y, between.x * rest.y, rest.x * between.y, between.x * between.y);
+}
+
+#ifdef YANG2008
+/// Normal as seen from the camera, over its z (Toler-Franklin et al. 2007).
+vec2 slopeOf(vec3 n) {
+  vec3 seen = vec3(dot(n, normalize(frame.right.xyz)), dot(n, normalize(frame.up.xyz)),
+                   -dot(n, frame.ahead.xyz));
+  // Interpolated normals can turn away from the eye; then the slope is as good as infinite.
+  return seen.xy / max(seen.z, 1e-3);
+}
+
+vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
+  vec2 slope = slopeOf(normal);
+  vec4 fit;
+  for (int i = 0; i < 4; ++i) {
+    uvec4 texel = taps.texels[i];
+    vec2 across = slopeOf(unpackSnorm4x8(texel.w).xyz) - slope;
+    float tapInverse = uintBitsToFloat(texel.z);
+    float depth = 1.0 - inverseDistance / max(tapInverse, 1e-12);
+    fit[i] = isSurface(texel) ? exp(-0.5 * (dot(across, across) / (sigma.x * sigma.x) +
+                                            depth * depth / (sigma.y * sigma.y)))
+                              : 0.0;
+  }
+  return fit;
+}
+#else
+/// Distance from the tangent plane that is as good as another surface, in full-rate pixels a pixel
+/// between the sample and the pixel.
+const float kPlaneTolerance = 0.35;
+/// The same that is always allowed: rounding of depth and normal.
+const float kPlaneSlack = 0.5;
+/// By how much the cosine between normals may fall short of 1 likewise.
+const float kNormalTolerance = 0.03;
+
+vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
+  vec2 step = 2.0 * frame.size.zw;
+  vec2 ndc = (vec2(p) + 0.5) * step - 1.0;
+  // n . ray is linear over the screen, and z n . ray is the same all over a plane.
+  vec2 gradient = vec2(dot(normal, frame.right.xyz) * step.x, dot(normal, frame.up.xyz) * step.y);
+  float facing = dot(normal, frame.ahead.xyz) + dot(normal, frame.right.xyz) * ndc.x +
+                 dot(normal, frame.up.xyz) * ndc.y;
+  // Of a pixel at distance 1.
+  float pixelSize = length(frame.up.xyz) * step.y;
+  vec4 fit;
+  for (int i = 0; i < 4; ++i) {
+    uvec4 texel = taps.texels[i];
+    vec2 offset = vec2(taps.pixels[i] - p);
+    float tapInverse = uintBitsToFloat(texel.z);
+    float away = abs((facing + dot(gradient, offset)) * (inverseDistance / max(tapInverse, 1e-12)) -
+                     facing) / pixelSize;
+    vec2 reach = abs(offset);
+    float plane = away / (kPlaneSlack + kPlaneTolerance * max(reach.x, reach.y));
+    float bend = (1.0 - dot(normal, unpackSnorm4x8(texel.w).xyz)) / kNormalTolerance;
+    float miss = 1.0 + plane * plane + bend * bend;
+    fit[i] = isSurface(texel) ? 1.0 / (miss * miss) : 0.0;
+  }
+  return fit;
+}
+#endif
+
+/// @returns whether a sample fits; else `value` is what the best one holds
+bool reconstruct(ivec2 p, out vec3 value) {
+  Taps taps = tapsAround(p);
+  vec4 weights = tentOf(taps.between);
+  bool fits = true;
+#ifndef BILINEAR
+  float depth = texelFetch(depthTexture, p, 0).r;
+  vec4 fit;
+  if (depth > 0.0) {
+    vec3 normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
+    fit = fitOf(taps, p, depth * frame.depth.x + frame.depth.y, normal);
+  } else {
+    for (int i = 0; i < 4; ++i) fit[i] = isSurface(taps.texels[i]) ? 0.0 : 1.0;
+  }
+  // A sample that the tent gives no weight does not count for a fit.
+  vec4 reached = mix(vec4(0.0), fit, greaterThan(weights, vec4(0.0)));
+  float best = max(max(reached.x, reached.y), max(reached.z, reached.w));
+  fits = best >= kLeastFit;
+  weights = fits ? weights * fit : vec4(greaterThanEqual(reached, vec4(best)));
+#endif
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) sum += weights[i] * sampleValue(taps.texels[i]);
+  value = sum / dot(weights, vec4(1.0));
+  return fits;
+}
+
+void main() {
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  bool inside = p.x < int(frame.size.x) && p.y < int(frame.size.y);
+  if (!inside) return;
+  vec3 value;
+  bool fits = reconstruct(p, value);
+#ifdef SHADE_HOLES
+  // Holes are few: an addition each costs less than the barriers of a sum over the group.
+  if (!fits) {
+    uint place = atomicAdd(totals.dispatches[LOD_RATES].w, 1u);
+    atomicMax(totals.dispatches[LOD_RATES].x, place / uint(LOD_LIST_GROUP) + 1u);
+    holes[place] = uint(p.x) | uint(p.y) << 16;
+  }
+#endif
+  imageStore(target, p, vec4(value, 1.0));
+}
