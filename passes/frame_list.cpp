@@ -77,7 +77,8 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<ResolvePass>(plan));
   // What is shown
   passes.push_back(std::make_unique<TonemapPass>(settings.tonemap));
-  passes.push_back(std::make_unique<HeatmapPass>(settings.heatmap, plan, settings.tonemap.ssaa));
+  passes.push_back(
+      std::make_unique<HeatmapPass>(settings.heatmap, plan, lod, settings.tonemap.ssaa));
   return {std::move(passes), {Resource::DisplayColor, Resource::LinearColor, Resource::OitTotals}};
 }
 

@@ -1,4 +1,4 @@
-// Per-pixel quantities of the transparency passes as colours over the image.
+// Per-pixel quantities of the transparency and of the level of detail as colours over the image.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
+#include "passes/lod/plan.h"
 #include "passes/oit/plan.h"
 
 namespace macula::passes {
@@ -17,8 +18,9 @@ class HeatmapPass final : public frame::Pass {
     double range = 0.0;        ///< value of the hottest colour for counts and k; 0: the largest
                                ///< of the last frame
   };
-  HeatmapPass(const Settings& settings, const OitPlan& plan, const int& samplesPerAxis)
-      : settings_(settings), plan_(plan), samplesPerAxis_(samplesPerAxis) {}
+  HeatmapPass(const Settings& settings, const OitPlan& plan, const LodPlan& lod,
+              const int& samplesPerAxis)
+      : settings_(settings), plan_(plan), lod_(lod), samplesPerAxis_(samplesPerAxis) {}
   [[nodiscard]] std::string_view name() const override { return "heatmap"; }
   void declare(frame::PassDeclaration& d) const override;
   [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
@@ -29,15 +31,16 @@ class HeatmapPass final : public frame::Pass {
  private:
   const Settings& settings_;
   const OitPlan& plan_;
+  const LodPlan& lod_;
   const int& samplesPerAxis_;
   GLuint program_ = 0;
 };
 
-/// none, k, depth-complexity, importance, periphery, depth-factor, fresnel.
+/// none, k, depth-complexity, importance, periphery, depth-factor, fresnel, shading-rate.
 [[nodiscard]] std::vector<std::string> heatmapNames();
 /// Whether a map shows a factor of the importance, which is then kept for it.
 [[nodiscard]] bool needsFactors(const std::string& map);
-/// Value of the hottest colour: counts and k by the setting, factors 1.
+/// Value of the hottest colour: counts and k by the setting, factors 1, pitches of shading 8.
 [[nodiscard]] double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan);
 
 }  // namespace macula::passes

@@ -1,12 +1,14 @@
-// A quantity as colours over the darkened image.
+// A quantity as colours over the darkened image. SOURCE_INTEGER: slots of a pixel. SOURCE_RATE: the
+// shading rate of tiles, with the image's light and dark in it.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/viridis.glsl"
 #include "shared/bindings.h"
+#include "shared/lod_totals.h"
 #include "shared/oit_constants.h"
 
-#ifdef SOURCE_INTEGER
+#if defined(SOURCE_INTEGER) || defined(SOURCE_RATE)
 layout(binding = TEX_INPUT0) uniform usampler2D source;
 #else
 layout(binding = TEX_INPUT0) uniform sampler2D source;
@@ -18,12 +20,19 @@ layout(location = 1) uniform int samplesPerAxis;
 layout(location = 2) uniform uint tailSlots;  // of a pixel that has a tail
 #endif
 
+#ifdef SOURCE_RATE
+layout(location = 3) uniform float texelsOfPixel;  // of the resized image
+#endif
+
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(p, imageSize(displayColor)))) return;
 #ifdef SOURCE_INTEGER
   uint slots = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
   float value = float((slots & ~RANGE_TAIL) + ((slots & RANGE_TAIL) != 0u ? tailSlots : 0u));
+#elif defined(SOURCE_RATE)
+  ivec2 tile = ivec2((vec2(p) + 0.5) * texelsOfPixel) >> LOD_TILE_SHIFT;
+  float value = float(1u << texelFetch(source, tile, 0).r);
 #else
   float value = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
 #endif
@@ -31,5 +40,8 @@ void main() {
   // Where there is nothing to show, the image stays to be recognised, without its colours.
   float grey = dot(image, vec3(0.2126, 0.7152, 0.0722));
   vec3 color = value > 0.0 ? viridis(value / range) : vec3(0.35 * grey);
+#ifdef SOURCE_RATE
+  color *= 0.4 + 0.6 * grey;  // every pixel has a rate: without this nothing would be recognised
+#endif
   imageStore(displayColor, p, vec4(color, 1.0));
 }

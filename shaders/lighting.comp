@@ -4,6 +4,7 @@
 // Which pixel a thread shades: its own; AT_GRID: that of a texel of the resized image; AT_TILES: that
 // of a sample of a tile in a list; AT_HOLES: one of a list.
 // SKIP_SHADOW, SKIP_OCCLUSION, SKIP_NOISE: parts of the shading that are not computed here.
+// DEMODULATE: samples hold the light on a surface, without its colour.
 // PARTS_OUT: the others come out instead of radiance. PARTS_IN: these come from a texture.
 #include "shared/dispatch.h"
 #include "shared/lod_totals.h"
@@ -180,6 +181,9 @@ void main() {
     Radiance sum = lightSurface(s, frame.eye.xyz, parts.shadow);
     radiance += sum.diffuse + sum.specular;
   }
+#endif
+#ifdef DEMODULATE
+  radiance /= surfaceColor(baseColor.rgb);
 #endif
   store(texel, p, radiance, depth, s.normal);
 #endif

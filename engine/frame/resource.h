@@ -17,7 +17,7 @@ enum class Resource : std::uint8_t {
   BaseColor,          ///< base colour (sRGB-encoded) and metallic
   Surface,            ///< roughness, occlusion, flags
   Emissive,           ///< linear emitted radiance
-  ShadingRate,        ///< pitch of the samples of a tile of the resized image: 1, 2, 4 or 8
+  ShadingRate,        ///< per tile of the resized image: samples are 2^level texels apart
   LodTiles,           ///< numbers of the tiles of each rate
   LodTotals,          ///< indirect dispatches and counts: see shaders/shared/lod_totals.h
   LodSamples,         ///< low-rate samples: what was shaded, distance, normal

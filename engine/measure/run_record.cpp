@@ -43,6 +43,11 @@ Json fragmentsJson(const std::optional<FragmentNumbers>& f) {
       {"generated", f->generated}, {"stored", f->stored}, {"merged", f->merged}, {"lost", f->lost}};
 }
 
+Json shadingJson(const std::optional<ShadingNumbers>& s) {
+  if (!s) return {{"pixels", nullptr}, {"shaded", nullptr}, {"holes", nullptr}};
+  return {{"pixels", s->pixels}, {"shaded", s->shaded}, {"holes", s->holes}};
+}
+
 Json layersJson(const std::optional<LayerNumbers>& k) {
   if (!k) return {{"min", nullptr}, {"max", nullptr}, {"mean", nullptr}};
   return {{"min", k->min}, {"max", k->max}, {"mean", k->mean}};
@@ -65,6 +70,7 @@ Json frameJson(const FrameRecord& frame) {
             {"saccade", frame.gazeSaccade},
             {"error_deg", orNull(frame.gazeErrorDegrees)}}},
           {"r", frame.resizeFactor},
+          {"shading", shadingJson(frame.shading)},
           {"ms", ms},
           {"fragments", fragmentsJson(frame.fragments)},
           {"k", layersJson(frame.layers)},

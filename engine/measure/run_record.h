@@ -26,6 +26,13 @@ struct LayerNumbers {
   double mean = 0.0;
 };
 
+/// Pixels of one frame, samples that were shaded for them, and pixels that no low-rate sample fits.
+struct ShadingNumbers {
+  std::uint64_t pixels = 0;
+  std::uint64_t shaded = 0;  ///< holes among them
+  std::uint64_t holes = 0;
+};
+
 struct FrameRecord {
   int index = 0;
   double timeSeconds = 0.0;
@@ -41,6 +48,7 @@ struct FrameRecord {
   /// believed sample; none where that is not known.
   std::optional<double> gazeErrorDegrees;
   double resizeFactor = 1.0;
+  std::optional<ShadingNumbers> shading;
   double totalMs = 0.0;
   std::vector<std::pair<std::string, double>> passMs;
   std::optional<FragmentNumbers> fragments;

@@ -24,7 +24,8 @@ glm::ivec2 resizedTexels(glm::ivec2 size, double resize) {
 
 double viewerDistance(const FoveationSettings& settings, int imageWidth) {
   if (settings.pixelsPerDegree > 0.0) return settings.pixelsPerDegree * kDegreesPerRadian;
-  return settings.display.distanceMm / settings.display.widthMm * imageWidth;
+  const gaze::Display display = settings.display != nullptr ? *settings.display : gaze::Display{};
+  return display.distanceMm / display.widthMm * imageWidth;
 }
 
 void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings& foveation,
@@ -40,6 +41,8 @@ void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings
                 (settings.resize > control::kLeastResize || foveation.enabled || mayResize);
   plan.reconstruction = settings.reconstruction;
   plan.holes = settings.holes;
+  plan.demodulates = settings.demodulate && plan.parts.shading &&
+                     settings.reconstruction == Reconstruction::Macula;
   plan.sigma = {settings.sigmaNormal, settings.sigmaDepth};
 }
 

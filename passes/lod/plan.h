@@ -20,7 +20,8 @@ struct LodPlan {
   LodParts parts = {};
   Reconstruction reconstruction = Reconstruction::Macula;
   Holes holes = Holes::Shade;
-  glm::vec2 sigma{0.0F};  ///< of normals and of depth, for yang2008
+  glm::vec2 sigma{0.0F};     ///< of normals and of depth, for yang2008
+  bool demodulates = false;  ///< samples hold light without the surface's colour
   bool foveated = false;
 
   double resize = 1.0;      ///< r

@@ -50,6 +50,9 @@ void registerSettings(settings::Registry& registry, LodSettings& s) {
   registry.addChoice(
       {.key = "lod.holes", .help = "pixels that no sample fits: shaded, or the best sample"},
       s.holes, {"shade", "tap"});
+  registry.add({.key = "lod.demodulate",
+                .help = "macula: surface colours stay at full rate, only light is resized"},
+               s.demodulate);
   registry.add({.key = "lod.sigmaNormal",
                 .help = "sigma_n of Yang 2008, Eq. 1, of normals divided by their z"},
                s.sigmaNormal, {.min = 0.0, .minExclusive = true, .max = 1e6});

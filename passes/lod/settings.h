@@ -28,6 +28,7 @@ struct LodSettings {
   std::string what = "shading";
   Reconstruction reconstruction = Reconstruction::Macula;
   Holes holes = Holes::Shade;
+  bool demodulate = true;     ///< macula: surface colours stay at full rate, light is resized
   double sigmaNormal = 0.2;   ///< of yang2008: length of the difference of normals over their z
   double sigmaDepth = 0.01;   ///< of yang2008: share of the pixel's own depth
   bool transparency = false;  ///< transparent surfaces at 1/r, too
@@ -56,7 +57,8 @@ struct FoveationSettings {
   bool perCycle = true;           ///< MAR is of a cycle, so two samples go to it; else one
   double pixelsPerDegree = 0.0;   ///< of the image; 0: from the display's width and distance
   int coarsest = 8;               ///< pixels: 1, 2, 4 or 8
-  gaze::Display display;          ///< registered elsewhere, under display.*
+  /// Registered elsewhere, under display.*; must outlive this. Null: the default display.
+  const gaze::Display* display = nullptr;
 };
 
 /// `settings` must outlive the registry.

@@ -22,6 +22,7 @@ void LodShadePass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progr
   const ShadingWork work = plan_.parts.shading ? ShadingWork::All : ShadingWork::Parts;
   gl::Defines defines = shadingDefines(in.facts, work, plan_.parts);
   pixels_ = programs.get({{"lighting.comp"}, defines, {}});
+  if (plan_.demodulates) defines.emplace_back("DEMODULATE", "1");
   defines.emplace_back(plan_.foveated ? "AT_TILES" : "AT_GRID", "1");
   samples_ = programs.get({{"lighting.comp"}, defines, {}});
 }

@@ -9,8 +9,8 @@ ivec2 samplePixel(ivec2 cell, float pitch) {
   return min(ivec2(floor((vec2(cell) + 0.5) * pitch)), last);
 }
 
-/// Cells of this pitch in texels of L that cover L.
-ivec2 cellsOf(int rate) { return (frame.lodSize.xy + rate - 1) / rate; }
+/// Cells of 2^level texels a side that cover L.
+ivec2 cellsOf(int level) { return (frame.lodSize.xy + (1 << level) - 1) >> level; }
 
 /// What one texel of L holds: rgb; 1 / distance along the view; normal.
 uvec4 packSample(vec3 value, float inverseDistance, vec3 normal) {
@@ -20,3 +20,7 @@ uvec4 packSample(vec3 value, float inverseDistance, vec3 normal) {
 vec3 sampleValue(uvec4 texel) {
   return vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x);
 }
+
+/// What light on a surface is multiplied by, roughly: colour of diffuse and metallic reflection, and
+/// the reflectance of dielectrics, so that it is never 0.
+vec3 surfaceColor(vec3 baseColor) { return baseColor + 0.04; }

@@ -36,7 +36,7 @@ void main() {
   while (float(2 << level) * frame.resize.x <= allowed && float(2 << level) <= frame.acuity.w) {
     ++level;
   }
-  imageStore(shadingRate, tile, uvec4(1u << level));
+  imageStore(shadingRate, tile, uvec4(level));
   uint number = uint(tile.y * frame.lodSize.z + tile.x);
   uint entry = atomicAdd(totals.dispatches[level].w, 1u);
   tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;

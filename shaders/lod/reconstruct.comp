@@ -3,7 +3,8 @@
 // BILINEAR: weights by distance in the image alone. YANG2008: and by Gaussians of the differences in
 // normal and depth. Else: and by how well a sample fits the pixel's tangent plane and normal.
 // PARTS: what is reconstructed are parts of the shading. FOVEATED: samples are 1 to 8 texels apart,
-// tile by tile. SHADE_HOLES: pixels that no sample fits go to a list; else they take the best one.
+// tile by tile. DEMODULATE: samples hold the light on surfaces, and each pixel has its own colour.
+// SHADE_HOLES: pixels that no sample fits go to a list; else they take the best one.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
@@ -16,6 +17,9 @@ layout(binding = TEX_INPUT1) uniform sampler2D depthTexture;
 layout(binding = TEX_INPUT2) uniform sampler2D normalTexture;
 #ifdef FOVEATED
 layout(binding = TEX_INPUT3) uniform usampler2D shadingRate;
+#endif
+#ifdef DEMODULATE
+layout(binding = TEX_INPUT4) uniform sampler2D baseColorTexture;
 #endif
 #ifdef PARTS
 layout(rgba8, binding = IMG_0) writeonly uniform image2D target;
@@ -40,14 +44,20 @@ struct Taps {
   vec2 between;
 };
 
-Taps tapsAround(ivec2 p) {
-  int rate = 1;
 #ifdef FOVEATED
-  ivec2 tile = ivec2((vec2(p) + 0.5) * frame.resize.y) / LOD_TILE;
-  rate = int(texelFetch(shadingRate, min(tile, frame.lodSize.zw - 1), 0).r);
+/// Samples are 2^level texels apart in the tile of this texel of L.
+int levelAt(ivec2 texel) {
+  return int(texelFetch(shadingRate, min(texel, frame.lodSize.xy - 1) >> LOD_TILE_SHIFT, 0).r);
+}
 #endif
-  float pitch = frame.resize.x * float(rate);
-  ivec2 last = cellsOf(rate) - 1;
+
+Taps tapsAround(ivec2 p) {
+  int level = 0;
+#ifdef FOVEATED
+  level = levelAt(ivec2((vec2(p) + 0.5) * frame.resize.y));
+#endif
+  float pitch = frame.resize.x * float(1 << level);
+  ivec2 last = cellsOf(level) - 1;
   ivec2 low = ivec2(floor((vec2(p) + 0.5) / pitch - 0.5));
   // Samples lie at pixels, up to half a pixel off the even grid.
   low += ivec2(lessThanEqual(samplePixel(low + 1, pitch), p));
@@ -60,17 +70,15 @@ Taps tapsAround(ivec2 p) {
   taps.between = clamp(vec2(p - from) / vec2(max(to - from, ivec2(1))), 0.0, 1.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 cell = ivec2((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y);
-    ivec2 texel = cell * rate;
+    ivec2 texel = cell << level;
     taps.pixels[i] = ivec2((i & 1) != 0 ? to.x : from.x, (i & 2) != 0 ? to.y : from.y);
 #ifdef FOVEATED
     // In the next tile, where samples may be denser or sparser: the cell around this place.
-    ivec2 place = texel + rate / 2;
-    int there = int(texelFetch(shadingRate, min(place / LOD_TILE, frame.lodSize.zw - 1), 0).r);
-    if (there != rate) {
-      cell = min(place / there, cellsOf(there) - 1);
-      texel = cell * there;
-      taps.pixels[i] = samplePixel(cell, frame.resize.x * float(there));
-    }
+    ivec2 place = min(texel + (1 << level >> 1), frame.lodSize.xy - 1);
+    int there = levelAt(place);
+    cell = place >> there;
+    texel = cell << there;
+    taps.pixels[i] = samplePixel(cell, frame.resize.x * float(1 << there));
 #endif
     taps.texels[i] = texelFetch(lodSamples, texel, 0);
   }
@@ -166,6 +174,9 @@ bool reconstruct(ivec2 p, out vec3 value) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 4; ++i) sum += weights[i] * sampleValue(taps.texels[i]);
   value = sum / dot(weights, vec4(1.0));
+#ifdef DEMODULATE
+  if (depth > 0.0) value *= surfaceColor(texelFetch(baseColorTexture, p, 0).rgb);
+#endif
   return fits;
 }
 

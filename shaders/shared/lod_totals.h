@@ -6,6 +6,7 @@
 // Texels of the resized image a side of a tile: cells of every rate divide it, and a tile of the
 // finest rate fills four work-groups.
 #define LOD_TILE 16
+#define LOD_TILE_SHIFT 4
 // Rates: a sample every 1, 2, 4 or 8 texels.
 #define LOD_RATES 4
 // Threads of a work-group that walks a list.

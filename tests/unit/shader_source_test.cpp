@@ -137,6 +137,7 @@ void addOpaque(std::vector<Variant>& all) {
     addCombinations(all, "tonemap.comp", {{"TONEMAP", curve}, {"SSAA", "2"}}, {"LINEAR_OUT"});
   }
   addCombinations(all, "heatmap.comp", {{"SOURCE_CHANNEL", "g"}}, {"SOURCE_INTEGER"});
+  addCombinations(all, "heatmap.comp", {{"SOURCE_RATE", "1"}}, {});
   addCombinations(all, "difference.comp", {}, {});
   addCombinations(all, "time_source.comp", {}, {});
 }

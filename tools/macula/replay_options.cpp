@@ -27,6 +27,7 @@ void addReplay(CLI::App& root) {
   auto o = std::make_shared<ReplayOptions>();
   passes::registerSettings(o->registry, o->settings);
   gaze::registerSettings(o->registry, o->gazeSettings);
+  o->settings.foveation.display = &o->gazeSettings.display;
   CLI::App* command =
       root.add_subcommand("replay", "Headless, deterministic frames along a gaze log and a camera");
   command

@@ -25,6 +25,9 @@ measure::FrameRecord recordOf(const passes::FrameResult& result,
   record.gazeAgeSeconds = point.ageSeconds;
   record.gazeRadius = point.radius;
   record.gazeSaccade = point.saccade;
+  record.resizeFactor = result.resizeFactor;
+  record.shading =
+      measure::ShadingNumbers{result.shading.pixels, result.shading.shaded, result.shading.holes};
   record.totalMs = result.totalMs;
   for (const frame::PassTime& pass : result.passes) {
     record.passMs.emplace_back(pass.name, pass.ms);
