@@ -178,6 +178,10 @@ GlbJson GlbWriter::material(const Material& source) {
   }
   if (source.doubleSided) out["doubleSided"] = true;
   addMaterialExtensions(source, out);
+  if (source.veins.any()) {
+    out["extras"]["macula_veins"] = {{"color", toJson(source.veins.color)},
+                                     {"scale", source.veins.scale}};
+  }
   return out;
 }
 
@@ -219,7 +223,10 @@ void GlbWriter::addLights() {
         break;
     }
     if (light.range > 0.0F) entry["range"] = light.range;
-    if (light.castsShadow) entry["extras"] = {{"macula_casts_shadow", true}};
+    if (light.castsShadow) entry["extras"]["macula_casts_shadow"] = true;
+    if (light.shadowTaps != kUsualShadowTaps) {
+      entry["extras"]["macula_shadow_taps"] = light.shadowTaps;
+    }
     const glm::vec3 up = std::abs(light.direction.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F)
                                                             : glm::vec3(1.0F, 0.0F, 0.0F);
     addNode({{"extensions", {{"KHR_lights_punctual", {{"light", lights_.size()}}}}}},
@@ -256,7 +263,11 @@ GlbJson GlbWriter::document() {
   GlbJson entry = GlbJson::object();
   if (!scene_.name.empty()) entry["name"] = scene_.name;
   if (scene_.ambient != glm::vec3(0.0F)) {
-    entry["extras"] = {{"macula_ambient", toJson(scene_.ambient)}};
+    entry["extras"]["macula_ambient"] = toJson(scene_.ambient);
+  }
+  if (scene_.occlusion.any()) {
+    entry["extras"]["macula_occlusion"] = {{"radius", scene_.occlusion.radius},
+                                           {"samples", scene_.occlusion.samples}};
   }
   // glTF forbids empty arrays.
   if (!roots_.empty()) entry["nodes"] = std::move(roots_);

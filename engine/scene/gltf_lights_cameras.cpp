@@ -76,6 +76,7 @@ void addLights(Document& document, const NodeTree& tree, Scene& scene) {
     light.castsShadow = light.type == LightType::Directional && castsShadow(source) &&
                         std::none_of(scene.lights.begin(), scene.lights.end(),
                                      [](const Light& other) { return other.castsShadow; });
+    light.shadowTaps = shadowTaps(source);
     scene.lights.push_back(light);
   }
 }

@@ -65,6 +65,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   gltf::addLights(document, tree, scene);
   gltf::addCameras(document, tree, scene);
   scene.ambient = gltf::ambientOf(document);
+  scene.occlusion = gltf::occlusionOf(document);
   if (scene.instances.empty()) document.warnings.add("the scene holds no triangles");
   scene.warnings = document.warnings.lines();
   return scene;

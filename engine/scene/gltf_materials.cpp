@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/gltf_extras.h"
 #include "engine/scene/gltf_images.h"
 
 namespace macula::scene::gltf {
@@ -69,12 +70,14 @@ class MaterialReader {
   TextureRef texture(const Info& info);
   std::int32_t imageOf(int texture);
   void readTransmission(const tinygltf::Material& source, Material& material);
+  void readVeins(const tinygltf::Material& source, Material& material);
 
   Document& document_;
   ImageDecoder decoder_;
   Scene& scene_;
   std::vector<State> states_;
   std::string place_;
+  int veined_ = 0;  ///< materials with veins so far
 };
 
 // The scene's image of a texture, decoded on first use; kNone where it cannot be drawn.
@@ -156,6 +159,20 @@ void MaterialReader::readTransmission(const tinygltf::Material& source, Material
   }
 }
 
+void MaterialReader::readVeins(const tinygltf::Material& source, Material& material) {
+  const Veins veins = veinsOf(source);
+  if (!veins.any()) return;
+  if (material.isTransparent()) {
+    document_.warn(place_, "its veins are not drawn, because it is transparent");
+  } else if (veined_ == kMostVeins) {
+    document_.warn(place_, "its veins are not drawn, because {} materials before it have some",
+                   kMostVeins);
+  } else {
+    material.veins = veins;
+    ++veined_;
+  }
+}
+
 Material MaterialReader::read(std::size_t index) {
   const tinygltf::Material& source = document_.model.materials[index];
   place_ = source.name.empty() ? fmt::format("material {}", index)
@@ -189,6 +206,7 @@ Material MaterialReader::read(std::size_t index) {
   material.doubleSided = source.doubleSided;
   material.unlit = extensionOf(source, "KHR_materials_unlit") != nullptr;
   readTransmission(source, material);
+  readVeins(source, material);
   material.baseColorTexture = texture(pbr.baseColorTexture);
   material.metallicRoughnessTexture = texture(pbr.metallicRoughnessTexture);
   material.normalTexture = texture(source.normalTexture);

@@ -61,6 +61,7 @@ Scene richScene() {
   Scene scene;
   scene.name = "rich";
   scene.ambient = {0.1F, 0.2F, 0.3F};
+  scene.occlusion = {0.25F, 64};
   Image image;
   image.name = "four pixels";
   image.width = image.height = 2;
@@ -92,6 +93,7 @@ Scene richScene() {
   Material bumpy;
   bumpy.name = "bumpy";
   bumpy.normalScale = 0.5F;
+  bumpy.veins = {{0.1F, 0.2F, 0.3F}, 7.5F};
   bumpy.occlusionStrength = 0.4F;
   bumpy.baseColorTexture.image = 1;
   bumpy.normalTexture.image = 1;
@@ -128,6 +130,7 @@ Scene richScene() {
   sun.direction = glm::normalize(glm::vec3(-1, -2, -3));
   sun.intensity = 3.0F;
   sun.castsShadow = true;
+  sun.shadowTaps = 9;
   Light point;
   point.type = LightType::Point;
   point.color = {1.0F, 0.5F, 0.25F};
@@ -185,6 +188,8 @@ void expectSameMaterial(const Material& a, const Material& b) {
   }
   EXPECT_EQ(a.doubleSided, b.doubleSided);
   EXPECT_EQ(a.unlit, b.unlit);
+  EXPECT_EQ(a.veins.color, b.veins.color);
+  EXPECT_EQ(a.veins.scale, b.veins.scale);
   EXPECT_EQ(a.transmission, b.transmission);
   EXPECT_EQ(a.thickness, b.thickness);
   EXPECT_EQ(a.attenuationDistance, b.attenuationDistance);
@@ -215,6 +220,8 @@ void expectSameScene(const Scene& a, const Scene& b) {
   EXPECT_TRUE(b.warnings.empty()) << b.warnings.front();
   EXPECT_TRUE(b.unsupportedExtensions.empty());
   expectNear(a.ambient, b.ambient, 0.0F, "ambient");
+  EXPECT_EQ(a.occlusion.radius, b.occlusion.radius);
+  EXPECT_EQ(a.occlusion.samples, b.occlusion.samples);
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i) {
     expectSameMaterial(a.materials[i], b.materials[i]);
@@ -235,6 +242,7 @@ void expectSameScene(const Scene& a, const Scene& b) {
     EXPECT_EQ(u.color, v.color);
     EXPECT_EQ(u.intensity, v.intensity);
     EXPECT_EQ(u.castsShadow, v.castsShadow);
+    EXPECT_EQ(u.shadowTaps, v.shadowTaps);
     EXPECT_EQ(u.range, v.range);
     if (u.type != LightType::Directional) {
       EXPECT_EQ(u.position, v.position);
@@ -280,7 +288,8 @@ TEST_P(GlbRecipe, LoadsBackWhatItWrote) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GlbRecipe,
-                         testing::Values("layers-300", "smoke", "bottles", "gallery"),
+                         testing::Values("layers-300", "smoke", "bottles", "gallery", "car",
+                                         "marble", "chess"),
                          [](const auto& tested) {
                            const std::string name = tested.param;
                            return name.substr(0, name.find('-'));
@@ -325,6 +334,23 @@ TEST(GlbWriter, DescribesItsBuffersAsTheSpecificationAsks) {
                                       "KHR_materials_volume"}));
   EXPECT_FALSE(root.contains("extensionsRequired"));
   EXPECT_EQ(root["textures"].size(), 2U) << "equal pairs of image and sampler are shared";
+}
+
+TEST(GlbWriter, LeavesOutExtrasThatAreUsual) {
+  Scene scene = richScene();
+  scene.ambient = glm::vec3(0.0F);
+  scene.occlusion = {};
+  scene.materials[2].veins = {};
+  for (Light& light : scene.lights) {
+    light.castsShadow = false;
+    light.shadowTaps = kUsualShadowTaps;
+  }
+  const json root = jsonOf(glbBytes(scene));
+  EXPECT_FALSE(root["scenes"][0].contains("extras"));
+  for (const json& material : root["materials"]) EXPECT_FALSE(material.contains("extras"));
+  for (const json& light : root["extensions"]["KHR_lights_punctual"]["lights"]) {
+    EXPECT_FALSE(light.contains("extras"));
+  }
 }
 
 TEST(GlbWriter, ClampsColoursIntoTheRangeOfTheFormat) {

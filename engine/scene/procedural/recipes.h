@@ -55,4 +55,16 @@ inline constexpr int kMaxLayers = 4096;
 /// plants: the default scene.
 [[nodiscard]] Scene makeGallery(std::uint64_t seed);
 
+/// A car with a camouflage livery in a paved yard, under a sun whose shadow filter has 9 x 9 taps:
+/// for the Car of Yang 2008, section 4. Opaque, at most 40,000 triangles, like the next two.
+[[nodiscard]] Scene makeCar(std::uint64_t seed);
+
+/// A dragon of veined, polished stone on a veined plinth: for the Dragon of Yang 2008, section 4,
+/// whose surface is procedural noise under a specular layer.
+[[nodiscard]] Scene makeMarble(std::uint64_t seed);
+
+/// A game of chess on a wooden board, darkened by ambient occlusion of 64 samples: for the Chess of
+/// Yang 2008, section 4.
+[[nodiscard]] Scene makeChess(std::uint64_t seed);
+
 }  // namespace macula::scene

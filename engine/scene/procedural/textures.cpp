@@ -3,85 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <string>
-#include <utility>
 
+#include "engine/scene/procedural/pixels.h"
 #include "engine/scene/procedural/random.h"
 
 namespace macula::scene {
-namespace {
-
-/// A hash of a lattice point to [0, 1): the finaliser of MurmurHash3 (Appleby 2011).
-float latticeValue(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
-  std::uint32_t h = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ seed * 0xC2B2AE3DU;
-  h = (h ^ (h >> 16U)) * 0x85EBCA6BU;
-  h = (h ^ (h >> 13U)) * 0xC2B2AE35U;
-  return static_cast<float>((h ^ (h >> 16U)) >> 8U) * 0x1p-24F;
-}
-
-/// Value noise in 0..1 over a lattice of `cells` x `cells` that repeats in the unit square.
-float noise(float u, float v, std::uint32_t cells, std::uint32_t seed) {
-  const float x = u * static_cast<float>(cells);
-  const float y = v * static_cast<float>(cells);
-  const auto x0 = static_cast<std::uint32_t>(x);
-  const auto y0 = static_cast<std::uint32_t>(y);
-  const auto smooth = [](float t) { return t * t * (3.0F - 2.0F * t); };
-  const float tx = smooth(x - static_cast<float>(x0));
-  const float ty = smooth(y - static_cast<float>(y0));
-  const auto value = [&](std::uint32_t i, std::uint32_t j) {
-    return latticeValue((x0 + i) % cells, (y0 + j) % cells, seed);
-  };
-  return glm::mix(glm::mix(value(0, 0), value(1, 0), tx), glm::mix(value(0, 1), value(1, 1), tx),
-                  ty);
-}
-
-/// Four octaves of noise, 0..1.
-float fractal(float u, float v, std::uint32_t cells, std::uint32_t seed) {
-  float sum = 0.0F;
-  float weight = 0.5F;
-  for (std::uint32_t octave = 0; octave < 4; ++octave) {
-    sum += weight * noise(u, v, cells << octave, seed + octave);
-    weight *= 0.5F;
-  }
-  return sum / 0.9375F;  // the weights' sum
-}
-
-/// 0..1..0 over each unit of x.
-float triangleWave(float x) {
-  const float t = x - std::floor(x);
-  return t < 0.5F ? 2.0F * t : 2.0F - 2.0F * t;
-}
-
-/// Fills an image from a function of the pixel centre (u, v in 0..1 from the top left).
-template <typename Shade>
-Image draw(std::string name, int width, int height, const Shade& shade) {
-  Image image;
-  image.name = std::move(name);
-  image.width = width;
-  image.height = height;
-  image.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(width);
-      const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(height);
-      const glm::vec4 color = glm::clamp(shade(u, v), 0.0F, 1.0F);
-      for (int c = 0; c < 4; ++c) {
-        image.rgba.push_back(static_cast<std::uint8_t>(color[c] * 255.0F + 0.5F));
-      }
-    }
-  }
-  return image;
-}
-
-std::uint32_t foldSeed(std::uint64_t seed) {
-  return static_cast<std::uint32_t>(seed ^ seed >> 32U);
-}
-
-}  // namespace
 
 Image marbleTiles(int size, std::uint64_t seed) {
   const std::uint32_t key = foldSeed(seed);
-  return draw("marble tiles", size, size, [key](float u, float v) {
+  return drawImage("marble tiles", size, size, [key](float u, float v) {
     const bool dark = (u < 0.5F) != (v < 0.5F);
     const float edge =
         std::min(std::min(triangleWave(u * 2.0F), triangleWave(v * 2.0F)), 0.02F) / 0.02F;
@@ -101,7 +31,7 @@ Image marbleTiles(int size, std::uint64_t seed) {
 Image woodBoards(int size, std::uint64_t seed) {
   constexpr int kBoards = 4;
   const std::uint32_t key = foldSeed(seed) + 101;
-  return draw("wood", size, size, [key](float u, float v) {
+  return drawImage("wood", size, size, [key](float u, float v) {
     const auto board = static_cast<std::uint32_t>(u * kBoards);
     const float tone = latticeValue(board, 0, key);
     // Stretched along the board: the grain varies sixteen times faster across it.
@@ -116,7 +46,7 @@ Image woodBoards(int size, std::uint64_t seed) {
 
 Image plaster(int size, std::uint64_t seed) {
   const std::uint32_t key = foldSeed(seed) + 211;
-  return draw("plaster", size, size, [key](float u, float v) {
+  return drawImage("plaster", size, size, [key](float u, float v) {
     const float mottle = fractal(u, v, 8, key);
     return glm::vec4(glm::vec3(0.82F, 0.77F, 0.70F) + 0.08F * mottle, 1.0F);
   });
@@ -124,7 +54,7 @@ Image plaster(int size, std::uint64_t seed) {
 
 Image frond(int size, std::uint64_t seed) {
   const std::uint32_t key = foldSeed(seed) + 307;
-  return draw("frond", size, size, [key](float u, float v) {
+  return drawImage("frond", size, size, [key](float u, float v) {
     const float along = 1.0F - v;  // 0 at the stem, 1 at the tip
     const float side = std::abs(2.0F * u - 1.0F);
     // Leaflets lean towards the tip; the outline is widest at a third of the length.
@@ -152,7 +82,7 @@ Image painting(int size, std::uint64_t seed) {
   const float discRadius = random.range(0.08F, 0.17F);
   const float horizon = random.range(0.45F, 0.65F);
   const std::uint32_t key = random.next();
-  return draw("painting", size, size, [=](float u, float v) {
+  return drawImage("painting", size, size, [=](float u, float v) {
     const float brush = 0.12F * (fractal(u, v, 8, key) - 0.5F);
     const float sky = std::min(v / horizon, 1.0F);
     glm::vec3 color = glm::mix(cool, warm, sky) + brush;
@@ -174,7 +104,7 @@ Image painting(int size, std::uint64_t seed) {
 Image carpet(int width, int height, std::uint64_t seed) {
   const std::uint32_t key = foldSeed(seed) + 401;
   const float aspect = static_cast<float>(height) / static_cast<float>(width);
-  return draw("carpet", width, height, [=](float u, float v) {
+  return drawImage("carpet", width, height, [=](float u, float v) {
     const float x = std::min(u, 1.0F - u);
     const float y = std::min(v, 1.0F - v) * aspect;
     const float border = std::min(x, y);
