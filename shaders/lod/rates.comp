@@ -11,7 +11,7 @@ layout(std430, binding = SSBO_LOD_TILES) writeonly buffer Tiles { uint tiles[]; 
 layout(std430, binding = SSBO_LOD_TOTALS) buffer Totals { LodTotals totals; };
 
 /// Full-rate samples that may share one sample of the shading where the eye resolves
-/// MAR(e) = slope e + w0 (Guenter et al. 2012, section 3). Mirrored by passes/lod/rates.cpp.
+/// MAR(e) = slope e + w0 (Guenter et al. 2012, section 3). Mirrored in tests/gl/lod_mirror.cpp.
 float allowedPitch(vec2 place) {
   vec2 middle = 0.5 * frame.size.xy;
   // Where the gaze is uncertain, all of a disc is looked at.

@@ -66,9 +66,11 @@ std::vector<std::uint32_t> Bench::words(frame::Resource resource, int channels) 
                                   static_cast<std::size_t>(texture.height()) *
                                   static_cast<std::size_t>(channels));
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureImage(texture.id(), 0, channels == 2 ? GL_RG_INTEGER : GL_RED_INTEGER,
-                    GL_UNSIGNED_INT, static_cast<GLsizei>(data.size() * sizeof(std::uint32_t)),
-                    data.data());
+  const GLenum format = channels == 4   ? GL_RGBA_INTEGER
+                        : channels == 2 ? GL_RG_INTEGER
+                                        : GL_RED_INTEGER;
+  glGetTextureImage(texture.id(), 0, format, GL_UNSIGNED_INT,
+                    static_cast<GLsizei>(data.size() * sizeof(std::uint32_t)), data.data());
   return data;
 }
 
@@ -78,7 +80,8 @@ std::vector<float> Bench::floats(frame::Resource resource, int channels) const {
                           static_cast<std::size_t>(texture.height()) *
                           static_cast<std::size_t>(channels));
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureImage(texture.id(), 0, channels == 4 ? GL_RGBA : GL_RED, GL_FLOAT,
+  const GLenum format = channels == 4 ? GL_RGBA : channels == 2 ? GL_RG : GL_RED;
+  glGetTextureImage(texture.id(), 0, format, GL_FLOAT,
                     static_cast<GLsizei>(data.size() * sizeof(float)), data.data());
   return data;
 }

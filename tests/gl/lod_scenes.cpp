@@ -1,0 +1,107 @@
+#include "lod_scenes.h"
+
+#include <cmath>
+
+#include "engine/scene/procedural/mesh_builder.h"
+#include "engine/scene/procedural/scene_builder.h"
+
+namespace macula::test {
+namespace {
+
+scene::SceneBuilder stillLife(bool rich) {
+  scene::SceneBuilder builder("still");
+  scene::Material stone = scene::plainMaterial("stone", {0.7F, 0.6F, 0.5F, 1.0F}, 0.6F);
+  if (rich) stone.veins = {.color = {0.1F, 0.15F, 0.2F}, .scale = 1.5F};
+  const std::int32_t ground = builder.material(stone);
+  const std::int32_t paint =
+      builder.material(scene::plainMaterial("paint", {0.8F, 0.1F, 0.1F, 1.0F}, 0.4F));
+  scene::Primitive floor;
+  scene::addQuad(floor, {-8, 0, 4}, {8, 0, 4}, {8, 0, -12}, {-8, 0, -12});
+  builder.addOnce(std::move(floor), ground);
+  scene::Primitive wall;
+  scene::addBox(wall, {-3, 0, -4}, {3, 1.2F, -3.8F});
+  builder.addOnce(std::move(wall), ground);
+  scene::Primitive ball;
+  scene::addSphere(ball, {0, 0.7F, -1}, 0.7F, 48);
+  builder.addOnce(std::move(ball), paint);
+  scene::Light sun = scene::sun({-0.5F, -0.8F, -0.3F}, {1.0F, 0.95F, 0.9F}, 3.0F);
+  if (rich) sun.shadowTaps = 9;
+  builder.light(sun);
+  builder.ambient({0.2F, 0.22F, 0.25F});
+  scene::Camera camera;
+  camera.position = {0.4F, 1.3F, 3.0F};
+  camera.target = {0.0F, 0.6F, -1.0F};
+  camera.verticalFov = 0.8F;
+  camera.farPlane = 40.0F;
+  builder.camera(camera);
+  return builder;
+}
+
+}  // namespace
+
+scene::Scene still() {
+  return std::move(stillLife(false)).finish();
+}
+
+scene::Scene richStill() {
+  scene::Scene scene = std::move(stillLife(true)).finish();
+  scene.occlusion = {.radius = 0.4F, .samples = 24};
+  return scene;
+}
+
+scene::Scene wires() {
+  scene::SceneBuilder builder = stillLife(false);
+  const std::int32_t iron =
+      builder.material(scene::plainMaterial("iron", {0.05F, 0.05F, 0.06F, 1.0F}, 0.5F));
+  scene::Primitive fence;
+  constexpr int kWires = 25;
+  constexpr float kHalfWidth = 0.002F;  // metres; a pixel spans 8 mm there at 128 x 128
+  for (int i = 0; i < kWires; ++i) {
+    const float x = -0.8F + 0.0667F * static_cast<float>(i);
+    scene::addBox(fence, {x - kHalfWidth, 0.3F, 0.5F}, {x + kHalfWidth, 1.6F, 0.504F});
+  }
+  builder.addOnce(std::move(fence), iron);
+  return std::move(builder).finish();
+}
+
+scene::Scene grazing() {
+  scene::SceneBuilder builder("grazing");
+  const std::int32_t stone =
+      builder.material(scene::plainMaterial("stone", {0.7F, 0.6F, 0.5F, 1.0F}, 0.8F));
+  scene::Primitive floor;
+  scene::addQuad(floor, {-20, 0, 4}, {20, 0, 4}, {20, 0, -60}, {-20, 0, -60});
+  builder.addOnce(std::move(floor), stone);
+  builder.light(scene::pointLight({-1.0F, 0.6F, -4.0F}, {1.0F, 0.8F, 0.6F}, 2.0F, 30.0F));
+  builder.light(scene::pointLight({1.5F, 0.5F, -9.0F}, {0.5F, 0.8F, 1.0F}, 4.0F, 30.0F));
+  builder.ambient({0.1F, 0.1F, 0.1F});
+  scene::Camera camera;
+  camera.position = {0.0F, 0.6F, 2.0F};
+  camera.target = {0.0F, 0.1F, -8.0F};  // 2.9 degrees down
+  camera.verticalFov = 0.25F;
+  camera.farPlane = 100.0F;
+  builder.camera(camera);
+  return std::move(builder).finish();
+}
+
+passes::RenderSettings resized(double r, const std::string& what) {
+  passes::RenderSettings settings = linearSettings("kb-variable");
+  settings.lod.resize = r;
+  settings.lod.what = what;
+  return settings;
+}
+
+std::vector<float> radiance(const Bench& bench) {
+  return bench.floats(frame::Resource::HdrColor, 4);
+}
+
+double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (i % 4 == 3) continue;
+    const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += d * d;
+  }
+  return std::sqrt(sum / (static_cast<double>(a.size()) * 0.75));
+}
+
+}  // namespace macula::test
