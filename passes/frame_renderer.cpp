@@ -102,7 +102,7 @@ void FrameRenderer::setLevers(const frame::Levers& levers) {
   inputs_.levers = levers;
   // The first time, the passes are made ready; nothing that a frame remembers depends on it.
   const bool asks = levers.resize > 1.0F;
-  if (asks && !mayResize_) prepared_ = false;
+  if (asks && !mayResize_ && !lod_.wanted) prepared_ = false;
   mayResize_ = mayResize_ || asks;
 }
 

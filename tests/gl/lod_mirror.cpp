@@ -78,8 +78,8 @@ std::array<ReconstructionMirror::Tap, 4> ReconstructionMirror::tapsAround(glm::i
     from[axis] = samplePixel(low[axis], pitch, size[axis]);
     to[axis] = samplePixel(high[axis], pitch, size[axis]);
     if (to[axis] > from[axis]) {
-      between[axis] = std::clamp(
-          static_cast<double>(p[axis] - from[axis]) / (to[axis] - from[axis]), 0.0, 1.0);
+      between[axis] =
+          std::clamp(static_cast<double>(p[axis] - from[axis]) / (to[axis] - from[axis]), 0.0, 1.0);
     }
   }
   std::array<Tap, 4> taps;
@@ -94,15 +94,17 @@ std::array<ReconstructionMirror::Tap, 4> ReconstructionMirror::tapsAround(glm::i
     const float pitchThere = resize * static_cast<float>(1 << there);
     tap.pixel = {samplePixel(found.x, pitchThere, size.x),
                  samplePixel(found.y, pitchThere, size.y)};
-    tap.tent = ((i & 1) != 0 ? between.x : 1.0 - between.x) *
-               ((i & 2) != 0 ? between.y : 1.0 - between.y);
+    tap.tent =
+        ((i & 1) != 0 ? between.x : 1.0 - between.x) * ((i & 2) != 0 ? between.y : 1.0 - between.y);
   }
   return taps;
 }
 
 double ReconstructionMirror::fitOf(const Tap& tap, glm::ivec2 p) const {
   const auto at = static_cast<std::size_t>(p.y * size.x + p.x);
-  const bool surface = tap.sample.inverseDistance > 1.0 / static_cast<double>(view.camera.farPlane);
+  // The far plane itself is the background; its inverse was a float.
+  const bool surface =
+      tap.sample.inverseDistance > static_cast<double>(1.0F / view.camera.farPlane);
   if (depth[at] == 0.0F) return surface ? 0.0 : 1.0;
   if (!surface) return 0.0;
   const double own = inverseDistance(depth[at]);

@@ -16,14 +16,14 @@ namespace macula::test {
 [[nodiscard]] int samplePixel(int cell, float pitch, int size);
 
 struct RateMirror {
-  glm::dvec2 size{0.0};     ///< of the image in pixels
-  glm::dvec2 gaze{0.0};     ///< in pixels, from the bottom left
-  double widened = 0.0;     ///< pixels around the gaze that count as looked at
-  double viewer = 1.0;      ///< distance of the eyes in pixels
-  double slope = 0.022;     ///< m of MAR(e) = m e + w0
-  double fovealMar = 0.0;   ///< w0 in degrees
-  double samples = 2.0;     ///< that go to a minimum angle of resolution
-  double resize = 1.0;      ///< r
+  glm::dvec2 size{0.0};    ///< of the image in pixels
+  glm::dvec2 gaze{0.0};    ///< in pixels, from the bottom left
+  double widened = 0.0;    ///< pixels around the gaze that count as looked at
+  double viewer = 1.0;     ///< distance of the eyes in pixels
+  double slope = 0.022;    ///< m of MAR(e) = m e + w0
+  double fovealMar = 0.0;  ///< w0 in degrees
+  double samples = 2.0;    ///< that go to a minimum angle of resolution
+  double resize = 1.0;     ///< r
   int coarsest = 8;
 
   /// Pixels that may share a sample at a place.

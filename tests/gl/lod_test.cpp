@@ -176,7 +176,9 @@ TEST_F(GlTest, ReconstructionIsWhatTheMirrorSays) {
       EXPECT_LE(holes > result.shading.holes ? holes - result.shading.holes
                                              : result.shading.holes - holes,
                 doubtful);
-      if (filter != passes::Reconstruction::Bilinear) EXPECT_GT(holes, 10U) << "wires leave holes";
+      if (filter != passes::Reconstruction::Bilinear) {
+        EXPECT_GT(holes, 10U) << "wires leave holes";
+      }
     }
   }
 }
@@ -184,6 +186,7 @@ TEST_F(GlTest, ReconstructionIsWhatTheMirrorSays) {
 TEST_F(GlTest, FoveatedReconstructionIsWhatTheMirrorSays) {
   for (const double r : {1.0, 1.6}) {
     passes::RenderSettings settings = foveatedSettings(14.0);
+    settings.foveation.slope = 0.1;
     settings.lod.resize = r;
     settings.lod.demodulate = false;
     Bench bench(still(), settings, {300, 200}, machine());
@@ -224,7 +227,11 @@ TEST_F(GlTest, PixelsThatWereShadedKeepTheirValue) {
         const int x = samplePixel(i, pitch, kSize.x);
         const int y = samplePixel(j, pitch, kSize.y);
         const auto at = static_cast<std::size_t>(y * kSize.x + x) * 4;
-        for (std::size_t c = 0; c < 3; ++c) unlike += got[at + c] != wanted[at + c] ? 1 : 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          // Both are half floats, but need not be rounded alike.
+          const float step = std::abs(wanted[at + c]) / 1024.0F;
+          unlike += std::abs(got[at + c] - wanted[at + c]) > step ? 1 : 0;
+        }
       }
     }
     EXPECT_EQ(unlike, 0) << r;
@@ -348,7 +355,11 @@ TEST_F(GlTest, ChangingLeversAllocatesNothing) {
     passes::RenderSettings settings = resized(1.5);
     settings.foveation.enabled = foveated;
     Bench bench(tangle(60, 3), settings, {96, 64}, machine());
-    for (int i = 0; i < 3; ++i) (void)bench.draw();
+    // The driver compiles what it has not run yet: full rate and less.
+    for (const float r : {1.0F, 2.0F, 1.0F}) {
+      bench.renderer.setLevers({.resize = r});
+      (void)bench.draw();
+    }
     const frame::ResourceBytes bytes = bench.renderer.bytes();
     const std::size_t before = allocationCount();
     for (int i = 0; i < 24; ++i) {
