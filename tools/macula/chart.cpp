@@ -15,6 +15,7 @@
 #include "engine/core/file.h"
 #include "engine/core/nearest.h"
 #include "engine/core/sha256.h"
+#include "engine/experiment/speedup.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -108,10 +109,12 @@ std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
         const Point* found = file.find(plan.key);
         if (found == nullptr) continue;
         points.push_back(*found);
-        points.back()["label"] = experiment.variants[plan.variant].label;  // may have been reworded
+        // May have been reworded.
+        points.back()["label"] = experiment.variants[plan.variant].labelAt(plan.value);
       }
     }
   }
+  experiment::giveSpeedups(experiment, points);
   return points;
 }
 
