@@ -224,10 +224,27 @@ std::string_view nameOf(TargetRow::State state) {
   return "unmeasured";
 }
 
+namespace {
+
+/// Places that several studies share are told apart by the study.
+void nameStudies(std::vector<TargetRow>& rows) {
+  const std::vector<TargetRow> before = rows;
+  for (TargetRow& row : rows) {
+    const bool shared = std::any_of(before.begin(), before.end(), [&](const TargetRow& other) {
+      return other.where == row.where && other.study != row.study;
+    });
+    if (shared) row.where += ", " + row.study;
+  }
+}
+
+}  // namespace
+
 std::vector<TargetRow> judge(const Experiment& experiment, std::span<const Point> points) {
   std::vector<TargetRow> rows;
   for (const Target& target : experiment.targets) {
-    for (TargetRow& row : Judge(experiment, target, points).rows()) rows.push_back(std::move(row));
+    std::vector<TargetRow> own = Judge(experiment, target, points).rows();
+    nameStudies(own);
+    for (TargetRow& row : own) rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -132,7 +132,7 @@ TEST(ExperimentParse, MorePointsThanAnybodyWaitsForAreRefused) {
 }
 
 TEST(ExperimentParse, ReadyMadeExperimentsAreWhole) {
-  for (const char* name : {"quick", "papers"}) {
+  for (const char* name : {"quick", "papers", "lod"}) {
     const std::string path =
         std::string(MACULA_SOURCE_DIR) + "/assets/experiments/" + name + ".toml";
     const Experiment e = parseExperiment(readTextFile(path), path);
