@@ -68,6 +68,43 @@ def table(points):
     return lines
 
 
+def base_of(results, study):
+    """The variant that a study's speed-ups are over, or None."""
+    return next(s.get("base") for s in results["studies"] if s["id"] == study)
+
+
+def percent(share):
+    return "-" if share is None else f"{100 * share:.1f} %"
+
+
+def speed_table(points):
+    """Studies with speed-ups: what of the shading is left, and what it costs in accuracy."""
+    lines = [
+        "| where | method | speed-up | frame ms | shading ms | shaded | holes | PSNR dB | RMSE | "
+        "FLIP | FLIP gaze |",
+        "|---|---|---|---|---|---|---|---|---|---|---|",
+    ]
+    for point in points:
+        if point["status"] == "refused":
+            lines.append(f"| {place(point)} | {point['label']} | refused |" + " |" * 8)
+            continue
+        ms = point["ms"]
+        error = point.get("error") or {}
+        shading = point.get("shading") or {}
+        total = ms["total"]
+        speedup = point.get("speedup")
+        psnr = "exact" if error.get("rmse") == 0 else number(error.get("psnr_db"))
+        lines.append("| " + " | ".join([
+            place(point), point["label"], "-" if speedup is None else f"{speedup:.2f}",
+            f"{total['median']:.1f} ({total['p5']:.1f}-{total['p95']:.1f})",
+            f"{ms['shading']['median']:.1f}", percent(shading.get("shaded_share")),
+            percent(shading.get("holes_share")), psnr,
+            f"{error['rmse']:.5f}" if "rmse" in error else "-", number(error.get("flip")),
+            number(error.get("flip_gaze")),
+        ]) + " |")
+    return lines
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         results = json.load(file)
@@ -82,7 +119,7 @@ def main():
         f"in turn, {results['warm_up_rounds']} rounds of warm-up and then "
         f"{' or '.join(str(r) for r in rounds)} that count; times are medians with the 5th and 95th "
         "percentile, ratios are of medians of the same rounds. \"Transparency\" is the sum of the "
-        "passes whose names start with `oit.`. Errors are against `ab-sbuffer`, on display values "
+        "passes whose names start with `oit.`, \"shading\" that of `lighting` and `lod.`. Errors are against `ab-sbuffer`, on display values "
         "0..1. Times of a software rasteriser say how methods compare on it, not what a GPU needs.",
         "",
     ]
@@ -92,7 +129,8 @@ def main():
     for study in results["studies"]:
         points = [p for p in results["points"] if p["study"] == study["id"]]
         if points:
-            lines += ["", f"## {study['title']}", ""] + table(points)
+            make = table if base_of(results, study["id"]) is None else speed_table
+            lines += ["", f"## {study['title']}", ""] + make(points)
     print("\n".join(lines))
 
 

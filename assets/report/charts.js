@@ -1,5 +1,5 @@
 'use strict';
-// Charts of the report: log-log scatter on uPlot's axes, and stacked bars.
+// Charts of the report: log-log scatter and curves on uPlot's axes, and stacked bars.
 
 // Okabe & Ito's colours for all kinds of sight, and darker or lighter ones where they run out.
 const COLOURS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195',
@@ -86,10 +86,14 @@ function logTicks(low, high) {
   return ticks;
 }
 
+// Where a label may stand: beside a point that stands alone; above or below one on a line.
+const BESIDE = [[1, 0], [0.9, -0.6], [0.9, 0.6], [-1, 0], [-0.9, -0.6], [-0.9, 0.6], [0, -1], [0, 1]];
+const ABOVE = [[0, -1.5], [0, 1.5], [0.8, -1.4], [-0.8, 1.4], ...BESIDE];
+
 // Places labels beside their points where no other label, point or edge is in the way; the best of
 // several directions and distances. A label that finds no place stays away: its point still speaks
 // when it is pointed at.
-function placeLabels(dots, width, height) {
+function placeLabels(dots, width, height, directions) {
   const taken = dots.map(d => ({x0: d.px - 8, x1: d.px + 8, y0: d.py - 8, y1: d.py + 8}));
   const hits = box => box.x0 < 2 || box.x1 > width - 2 || box.y0 < 2 || box.y1 > height - 2 ||
     taken.some(t => box.x0 < t.x1 && box.x1 > t.x0 && box.y0 < t.y1 && box.y1 > t.y0);
@@ -98,7 +102,7 @@ function placeLabels(dots, width, height) {
     const w = dot.label.length * 6.3 + 4;
     search:
     for (const reach of [11, 24, 40, 60, 84]) {
-      for (const [dx, dy] of [[1, 0], [0.9, -0.6], [0.9, 0.6], [-1, 0], [-0.9, -0.6], [-0.9, 0.6], [0, -1], [0, 1]]) {
+      for (const [dx, dy] of directions) {
         const x = dot.px + dx * reach;
         const y = dot.py + dy * reach;
         const x0 = dx > 0 ? x : dx < 0 ? x - w : x - w / 2;
@@ -113,6 +117,53 @@ function placeLabels(dots, width, height) {
   return placed;
 }
 
+const placed = (u, p) => ({...p, px: u.valToPos(p.x, 'x'), py: u.valToPos(p.y, 'y')});
+
+const lineThrough = (dots, attributes) => svgElement('polyline',
+  {...attributes, points: dots.map(p => `${p.px.toFixed(1)},${p.py.toFixed(1)}`).join(' ')});
+
+function labelDots(u, svg, dots, directions) {
+  for (const {dot, x, y, from} of placeLabels(dots, u.over.clientWidth, u.over.clientHeight, directions)) {
+    if (from) svg.append(svgElement('line', {class: 'leader', x1: dot.px, y1: dot.py, x2: from.x, y2: from.y}));
+    svg.append(svgElement('text', {x, y, ...(dot.ink ? {style: `fill:${dot.ink}`} : {})}, dot.label));
+  }
+}
+
+// Puts lines and labels over the axes, and a button for each dot. classOf gives further classes.
+function addDots(u, svg, dots, classOf) {
+  u.over.querySelectorAll('svg, .dot').forEach(n => n.remove());
+  u.over.append(svg);
+  for (const dot of dots) {
+    u.over.append(element('button', {
+      class: `dot${classOf(dot)}`, 'aria-label': dot.text, 'data-key': dot.key,
+      style: `left:${dot.px}px;top:${dot.py}px;--colour:${dot.colour}`,
+      on: {mousemove: e => tip.show(dot.text, e), mouseleave: tip.hide, focus: e => tip.show(dot.text, e),
+           blur: tip.hide, click: dot.open},
+    }));
+  }
+}
+
+// uPlot's axes without its series. x, y: {label, range, ticks, log}; x is logarithmic.
+function chartFrame(host, points, x, y, overlay, height = 400) {
+  const axis = ({label, ticks}, size) => ({
+    label, size, labelSize: 22, font: '12px system-ui, sans-serif', labelFont: '13px system-ui, sans-serif',
+    stroke: cssColour('--soft'), grid: {stroke: cssColour('--line'), width: 1},
+    ticks: {stroke: cssColour('--line'), width: 1},
+    splits: () => ticks,
+    values: (u, splits) => splits.map(v => shown(v)),
+    filter: (u, splits) => splits,
+  });
+  const sorted = [...points].sort((a, b) => a.x - b.x);
+  new uPlot({
+    width: Math.max(300, host.clientWidth), height,
+    legend: {show: false}, cursor: {show: false},
+    scales: {x: {time: false, distr: 3, range: () => x.range}, y: {distr: y.log ? 3 : 1, range: () => y.range}},
+    axes: [axis(x, 42), axis(y, 62)],
+    series: [{}, {show: true, paths: () => null, points: {show: false}}],
+    hooks: {draw: [overlay]},
+  }, [sorted.map(p => p.x), sorted.map(p => p.y)], host);
+}
+
 // A scatter chart in `host`. points: {x, y, zero, label, colour, text, open()}; both axes log.
 function scatter(host, points, xLabel, yLabel) {
   host.replaceChildren();
@@ -123,45 +174,67 @@ function scatter(host, points, xLabel, yLabel) {
   const front = paretoFront(points);
   const xs = logRange(points.map(p => p.x));
   const ys = logRange(points.map(p => p.y));
-  const axis = (label, size) => ({
-    label, size, labelSize: 22, font: '12px system-ui, sans-serif', labelFont: '13px system-ui, sans-serif',
-    stroke: cssColour('--soft'), grid: {stroke: cssColour('--line'), width: 1},
-    ticks: {stroke: cssColour('--line'), width: 1},
-    splits: (u, i) => i === 0 ? logTicks(...xs) : logTicks(...ys),
-    values: (u, splits) => splits.map(v => shown(v)),
-    filter: (u, splits) => splits,
-  });
   const overlay = u => {
-    u.over.querySelectorAll('svg, .dot').forEach(n => n.remove());
     const svg = svgElement('svg', {});
-    const place = p => ({...p, px: u.valToPos(p.x, 'x'), py: u.valToPos(p.y, 'y')});
-    const path = front.map(place).map(p => `${p.px.toFixed(1)},${p.py.toFixed(1)}`).join(' ');
-    if (front.length > 1) svg.append(svgElement('polyline', {class: 'front', points: path}));
-    const dots = points.map(place);
-    for (const {dot, x, y, from} of placeLabels(dots, u.over.clientWidth, u.over.clientHeight)) {
-      if (from) svg.append(svgElement('line', {class: 'leader', x1: dot.px, y1: dot.py, x2: from.x, y2: from.y}));
-      svg.append(svgElement('text', {x, y}, dot.label));
-    }
-    u.over.append(svg);
-    for (const dot of dots) {
-      const best = front.some(p => p.key === dot.key);
-      u.over.append(element('button', {
-        class: `dot${dot.zero ? ' exact' : ''}${best ? ' best' : ''}`, 'aria-label': dot.text, 'data-key': dot.key,
-        style: `left:${dot.px}px;top:${dot.py}px;--colour:${dot.colour}`,
-        on: {mousemove: e => tip.show(dot.text, e), mouseleave: tip.hide, focus: e => tip.show(dot.text, e),
-             blur: tip.hide, click: dot.open},
-      }));
-    }
+    const dots = points.map(p => placed(u, p));
+    if (front.length > 1) svg.append(lineThrough(front.map(p => placed(u, p)), {class: 'front'}));
+    labelDots(u, svg, dots, BESIDE);
+    addDots(u, svg, dots, dot => `${dot.zero ? ' exact' : ''}${front.some(p => p.key === dot.key) ? ' best' : ''}`);
   };
-  const sorted = [...points].sort((a, b) => a.x - b.x);
-  new uPlot({
-    width: Math.max(300, host.clientWidth), height: 400,
-    legend: {show: false}, cursor: {show: false},
-    scales: {x: {time: false, distr: 3, range: () => xs}, y: {distr: 3, range: () => ys}},
-    axes: [axis(xLabel, 42), axis(yLabel, 62)],
-    series: [{}, {show: true, paths: () => null, points: {show: false}}],
-    hooks: {draw: [overlay]},
-  }, [sorted.map(p => p.x), sorted.map(p => p.y)], host);
+  chartFrame(host, points, {label: xLabel, range: xs, ticks: logTicks(...xs)},
+    {label: yLabel, range: ys, ticks: logTicks(...ys), log: true}, overlay);
+}
+
+// The points of a curve that none of its others beats: faster and at least as good. As the targets
+// have it; see engine/experiment/curve.h.
+function envelope(points) {
+  const kept = [];
+  for (const point of [...points].sort((a, b) => b.x - a.x || b.y - a.y)) {
+    if (kept.length === 0 || point.y > kept[kept.length - 1].y) kept.push(point);
+  }
+  return kept.reverse();
+}
+
+// Round numbers in a range, about `count` of them.
+function roundTicks(low, high, count) {
+  const rough = (high - low) / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find(s => s * power >= rough);
+  const ticks = [];
+  for (let i = Math.ceil(low / step); i * step <= high; ++i) ticks.push(Number((i * step).toPrecision(6)));
+  return ticks;
+}
+
+// Curves of quality (higher is better) against a logarithmic speed-up. series: [{colour, points: [{x,
+// y, ...as in scatter}]}], y null for an image that equals the exact one: it stands at the top.
+function curves(host, series, xLabel, yLabel) {
+  host.replaceChildren();
+  const finite = series.flatMap(s => s.points.filter(p => p.y !== null).map(p => p.y));
+  const low = Math.min(...finite, Infinity);
+  const high = Math.max(...finite, -Infinity);
+  if (finite.length === 0) {
+    host.append(element('p', {class: 'empty'}, 'Every picture here equals the exact one.'));
+    return;
+  }
+  const margin = Math.max(1, 0.12 * (high - low));
+  const top = high + margin;  // where exact pictures stand
+  const ys = [low - margin, top + margin];
+  const all = series.map(s => s.points.map(p => ({...p, exact: p.y === null, y: p.y ?? top, colour: s.colour})));
+  const points = all.flat();
+  const xs = logRange([1, ...points.map(p => p.x)]);
+  const best = all.map(envelope);
+  const overlay = u => {
+    const svg = svgElement('svg', {});
+    for (const line of best) {
+      const path = line.filter(p => !p.exact).map(p => placed(u, p));
+      if (path.length > 1) svg.append(lineThrough(path, {class: 'curve', style: `stroke:${line[0].colour}`}));
+    }
+    const dots = points.map(p => placed(u, p));
+    labelDots(u, svg, dots, ABOVE);
+    addDots(u, svg, dots, dot => dot.exact ? ' exact' : best.flat().some(p => p.key === dot.key) ? '' : ' beaten');
+  };
+  chartFrame(host, points, {label: xLabel, range: xs, ticks: logTicks(...xs)},
+    {label: yLabel, range: ys, ticks: roundTicks(low - margin, high + margin / 2, 7)}, overlay, 460);
 }
 
 // Rows of stacked bars. rows: {name, parts: [{value, colour, title}], figure, open()}; `whole` is

@@ -2,19 +2,24 @@
 const data = JSON.parse(document.getElementById('data').textContent);
 const labelOf = id => (data.variants.find(v => v.id === id) || {label: id}).label;
 const colourOf = id => COLOURS[data.variants.findIndex(v => v.id === id) % COLOURS.length];
-const titleOf = point => labelOf(point.variant) + (point.budget ? ` · ${point.budget}` : '');
+const titleOf = point => point.label + (point.budget ? ` · ${point.budget}` : '');
 const sceneName = scene => scene.split('/').pop().replace(/\.(glb|gltf)$/, '');
 const at = (point, ...keys) => keys.reduce((node, key) => node === null || node === undefined ? null : node[key], point) ?? null;
 
 const METRICS = [
   {id: 'rmse', name: 'RMSE', of: p => at(p, 'error', 'rmse')},
   {id: 'flip', name: 'FLIP', of: p => at(p, 'error', 'flip')},
+  {id: 'flip_gaze', name: 'FLIP around the gaze', of: p => at(p, 'error', 'flip_gaze')},
   {id: 'max', name: 'largest difference', of: p => at(p, 'error', 'max')},
-];
+].filter(metric => data.points.some(p => metric.of(p) !== null) || metric.id === 'rmse');
 const TIMES = [
   {id: 'transparency', name: 'transparency, ms', of: p => at(p, 'ms', 'transparency', 'median')},
+  {id: 'shading', name: 'shading, ms', of: p => at(p, 'ms', 'shading', 'median')},
   {id: 'total', name: 'whole frame, ms', of: p => at(p, 'ms', 'total', 'median')},
 ];
+const BASES = new Map(data.studies.map(s => [s.id, s.base]));
+// What a sweep varies, without what all its settings begin with: "r" of "lod.r".
+const sweptName = [...new Set(data.variants.filter(v => v.sweep).map(v => v.sweep.split('.').pop()))].join(', ');
 
 const DIMENSIONS = [
   {id: 'study', name: 'Study', of: p => p.study, show: v => (data.studies.find(s => s.id === v) || {title: v}).title},
@@ -23,7 +28,8 @@ const DIMENSIONS = [
   {id: 'size', name: 'Size', of: p => `${p.width}x${p.height}`, show: v => v},
   {id: 'seed', name: 'Seed', of: p => String(p.seed), show: v => v},
 ];
-const view = {metric: METRICS[0], time: TIMES[0]};
+// Where something has a speed-up, it is one of whole frames.
+const view = {metric: METRICS[0], time: TIMES[data.points.some(p => at(p, 'speedup') !== null) ? 2 : 0]};
 
 function fillHeader() {
   document.getElementById('description').textContent = data.description;
@@ -105,10 +111,17 @@ function numbersOf(point) {
   const lines = [titleOf(point)];
   const add = (name, value, unit = '') => { if (value !== null) lines.push(`${name} ${shown(value)}${unit}`); };
   add('transparency', at(point, 'ms', 'transparency', 'median'), ' ms');
+  add('shading', at(point, 'ms', 'shading', 'median'), ' ms');
   add('frame', at(point, 'ms', 'total', 'median'), ' ms');
+  add('speed-up', at(point, 'speedup'));
+  if (at(point, 'shading', 'shaded_share') !== null) {
+    lines.push(`pixels shaded ${percent(point.shading.shaded_share)}, holes ${percent(point.shading.holes_share)}`);
+  }
   add('bytes', mebi(at(point, 'bytes', 'transparency')), ' MiB');
   add('RMSE', at(point, 'error', 'rmse'));
+  add('PSNR', at(point, 'error', 'psnr_db'), ' dB');
   add('FLIP', at(point, 'error', 'flip'));
+  add('FLIP around the gaze', at(point, 'error', 'flip_gaze'));
   if (at(point, 'fragments', 'loss') !== null) lines.push(`fragments lost ${percent(point.fragments.loss)}`);
   if (at(point, 'k', 'mean') !== null) lines.push(`k ${point.k.min} to ${point.k.max}, mean ${shown(point.k.mean)}`);
   return lines;
@@ -131,17 +144,48 @@ function chartPoints(points, x) {
   }));
 }
 
+// PSNR against speed-up, a line a sweep (Yang, Sander & Lawrence 2008, Fig. 3).
+function drawSpeed(points) {
+  const base = BASES.get(view.study);
+  const shownPoints = points.filter(p => at(p, 'speedup') !== null && (at(p, 'error', 'psnr_db') !== null || at(p, 'error', 'rmse') === 0));
+  const figure = document.getElementById('speed');
+  figure.hidden = !base || !shownPoints.some(p => p.variant !== base);
+  if (figure.hidden) return;
+  const swept = shownPoints.some(p => at(p, 'sweep') !== null);
+  figure.querySelector('figcaption').textContent = `PSNR against speed-up over ${labelOf(base)}`;
+  figure.querySelector('.note').textContent = 'Upper right is better.'
+    + (swept ? ` The number at a point is its ${sweptName}. Lines pass by what another point of the curve beats in both (small, faint).` : '')
+    + ' Hollow points at the top equal the exact picture.';
+  const series = data.variants.map(v => ({colour: colourOf(v.id), points: shownPoints.filter(p => p.variant === v.id).map(p => ({
+    key: p.key, x: p.speedup, y: at(p, 'error', 'psnr_db'), ink: colourOf(v.id),
+    label: at(p, 'sweep') === null ? titleOf(p) : String(p.sweep), text: numbersOf(p).join('\n'), open: () => openViewer(p),
+  }))})).filter(s => s.points.length > 0);
+  curves(document.getElementById('by-speed'), series, 'speed-up of whole frames', 'PSNR, dB');
+}
+
+// A figure in which all points are alike says nothing.
+function showWhereItVaries(id, points, of) {
+  const varies = points.length < 2 || new Set(points.map(of)).size > 1;
+  document.getElementById(id).closest('figure').hidden = !varies;
+  return varies;
+}
+
 function drawCharts() {
   const points = viewPoints();
   const used = data.variants.filter(v => points.some(p => p.variant === v.id));
   document.getElementById('legend').replaceChildren(...used.map(v => element('span', {},
     element('i', {class: 'swatch', style: `background:${colourOf(v.id)}`}), v.label)));
   const place = id => document.getElementById(id);
+  drawSpeed(points);
   place('by-time').previousElementSibling.textContent = `${view.metric.name} against time (${view.time.name})`;
   place('by-bytes').previousElementSibling.textContent = `${view.metric.name} against the bytes of transparency`;
+  const bytes = p => mebi(at(p, 'bytes', 'transparency'));
+  const bytesVary = showWhereItVaries('by-bytes', points.filter(p => bytes(p) !== null), bytes);  // before widths are taken
   scatter(place('by-time'), chartPoints(points, view.time.of), view.time.name, view.metric.name);
-  scatter(place('by-bytes'), chartPoints(points, p => mebi(at(p, 'bytes', 'transparency'))), 'MiB', view.metric.name);
-  drawLoss(points.filter(p => at(p, 'fragments', 'generated') > 0));
+  if (bytesVary) scatter(place('by-bytes'), chartPoints(points, bytes), 'MiB', view.metric.name);
+  const counted = points.filter(p => at(p, 'fragments', 'generated') > 0);
+  const fates = p => [p.fragments.stored, p.fragments.merged, p.fragments.lost].join();
+  if (showWhereItVaries('loss', counted.length > 0 ? counted : [{}, {}], p => p.fragments ? fates(p) : 0)) drawLoss(counted);
   drawPasses(points.filter(p => p.ms));
 }
 
@@ -155,7 +199,9 @@ function drawLoss(points) {
 }
 
 function drawPasses(points) {
-  const only = name => view.time.id === 'total' || name.startsWith('oit.');
+  const only = name => ({
+    total: true, transparency: name.startsWith('oit.'), shading: name === 'lighting' || name.startsWith('lod.'),
+  })[view.time.id];
   const names = [...new Set(points.flatMap(p => Object.keys(p.ms.passes)))].filter(only);
   const colour = name => COLOURS[names.indexOf(name) % COLOURS.length];
   const sum = p => names.reduce((total, name) => total + (at(p, 'ms', 'passes', name, 'median') || 0), 0);
@@ -170,15 +216,20 @@ const COLUMNS = [
   ['Study', p => p.study, false, data.studies.length > 1], ['Scene', p => sceneName(p.scene)],
   ['Size', p => `${p.width}x${p.height}`], ['Light', p => p.light, false, new Set(data.points.map(p => p.light)).size > 1],
   ['Seed', p => p.seed, true, new Set(data.points.map(p => p.seed)).size > 1],
-  ['Variant', p => labelOf(p.variant)], ['Budget', p => p.budget],
-  ['Transparency ms', p => at(p, 'ms', 'transparency', 'median'), true], ['Frame ms', p => at(p, 'ms', 'total', 'median'), true],
+  ['Variant', p => labelOf(p.variant)], ['Budget', p => p.budget, false, data.points.some(p => p.budget)],
+  [sweptName, p => at(p, 'sweep'), true], ['Speed-up', p => at(p, 'speedup'), true],
+  ['Transparency ms', p => at(p, 'ms', 'transparency', 'median'), true],
+  ['Shading ms', p => at(p, 'ms', 'shading', 'median'), true], ['Frame ms', p => at(p, 'ms', 'total', 'median'), true],
+  ['RMSE', p => at(p, 'error', 'rmse'), true], ['PSNR dB', p => at(p, 'error', 'psnr_db'), true],
+  ['Max', p => at(p, 'error', 'max'), true], ['FLIP', p => at(p, 'error', 'flip'), true],
+  ['FLIP gaze', p => at(p, 'error', 'flip_gaze'), true],
+  ['Shaded', p => at(p, 'shading', 'shaded_share'), true, true, percent],
+  ['Holes', p => at(p, 'shading', 'holes_share'), true, true, percent],
   ['MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
   ['Fragments', p => at(p, 'fragments', 'generated'), true], ['Stored', p => at(p, 'fragments', 'stored'), true],
   ['Merged', p => at(p, 'fragments', 'merged'), true], ['Lost', p => at(p, 'fragments', 'loss'), true, true, percent],
   ['k mean', p => at(p, 'k', 'mean'), true], ['k max', p => at(p, 'k', 'max'), true],
-  ['RMSE', p => at(p, 'error', 'rmse'), true], ['PSNR dB', p => at(p, 'error', 'psnr_db'), true],
-  ['Max', p => at(p, 'error', 'max'), true], ['FLIP', p => at(p, 'error', 'flip'), true],
-].filter(column => column[3] !== false);
+].filter(([, of, number, wanted]) => wanted !== false && (!number || data.points.some(p => of(p) !== null)));
 const sorting = {column: -1, down: false};
 
 function fillTable() {

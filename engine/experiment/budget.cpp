@@ -49,9 +49,4 @@ std::string_view nameOf(Oracle oracle) {
   return "";
 }
 
-std::string Target::limitText() const {
-  if (kind == Kind::Order) return "strictly falling";
-  return fmt::format("{} {:g}", atMost ? "<=" : ">=", limit);
-}
-
 }  // namespace macula::experiment

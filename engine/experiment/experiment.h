@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/measure/flip.h"
+
 namespace macula::experiment {
 
 /// Rounds that are drawn before the measured ones.
@@ -43,14 +45,29 @@ struct Budget {
 enum class Oracle : std::uint8_t { None, OptimalK, LeastRmse, LeastRmseTail };
 [[nodiscard]] std::string_view nameOf(Oracle oracle);
 
+/// One setting at several values: a variant that has a sweep is a curve, one point a value.
+struct Sweep {
+  std::string setting;         ///< key or short name of a number
+  std::vector<double> values;  ///< finite, each once, in the file's order
+  std::string place;           ///< "file:line", for messages
+
+  /// "r=2": the setting's name after its last dot, and the value.
+  [[nodiscard]] std::string label(double value) const;
+  [[nodiscard]] bool holds(double value) const;
+};
+
 /// One way to draw.
 struct Variant {
   std::string id;
   std::string label;                      ///< for people; the id where none was given
   const toml::table* settings = nullptr;  ///< in Experiment::document; may be null
   Oracle oracle = Oracle::None;
-  bool budgets = false;  ///< measured once at each budget of the study
-  std::string place;     ///< "file:line", for messages
+  bool budgets = false;        ///< measured once at each budget of the study
+  std::optional<Sweep> sweep;  ///< measured once at each of its values; not beside budgets
+  std::string place;           ///< "file:line", for messages
+
+  /// For people: the label, and at which value of the sweep.
+  [[nodiscard]] std::string labelAt(const std::optional<double>& value) const;
 };
 
 struct Size {
@@ -75,7 +92,11 @@ struct Study {
   bool comparesByList = false;  ///< the experiment names the lists
   std::string camera = "auto";
   std::string gaze = "center";
+  /// The variant that speed-ups are over; empty: none. It takes turns with every swept variant.
+  std::string base;
   int frames = 9;  ///< measured rounds
+  /// Of the viewer who judges the images: for FLIP and its weights around the gaze.
+  double pixelsPerDegree = measure::kDefaultPixelsPerDegree;
   /// Of all variants, in Experiment::document: the experiment's, then the study's.
   std::vector<const toml::table*> settings;
   std::string place;
@@ -87,14 +108,24 @@ struct Target {
     Ratio,  ///< metric of one variant over the least of others
     Order,  ///< metric falls strictly along a list of variants
     Value,  ///< metric of one variant
+    Curve,  ///< metric of one swept variant minus that of another at equal speed-up
   };
+  /// How a number is held against the limit.
+  enum class Bound : std::uint8_t { AtMost, AtLeast, Above };
+  /// Which number of all differences between two curves.
+  enum class Statistic : std::uint8_t { Least, Mean };
   std::string name;
   std::string papers;  ///< what the papers say; may be empty
   Kind kind = Kind::Value;
   std::string metric;                ///< see metricOf()
-  std::string of;                    ///< variant (ratio, value)
-  std::vector<std::string> against;  ///< variants (ratio, order)
-  bool atMost = true;                ///< limit is an upper one
+  std::string of;                    ///< variant (ratio, value, curve)
+  std::vector<std::string> against;  ///< variants (ratio, order), one (curve)
+  std::string againstMetric;         ///< that a ratio divides by; empty: metric
+  std::optional<double> at;          ///< of a swept variant, only the point of this value
+  std::optional<double> againstAt;   ///< the same of `against`; none: the value of `of`
+  std::string cost = "ms.total";     ///< metric whose quotient is the speed-up (curve)
+  Statistic statistic = Statistic::Least;
+  Bound bound = Bound::AtMost;
   double limit = 0.0;                ///< unused by order
   bool unlessAllStored = false;      ///< not where the budget could hold every fragment
   std::vector<std::string> studies;  ///< empty: any; likewise below
@@ -102,6 +133,8 @@ struct Target {
   std::vector<std::string> lights;
   std::vector<std::string> budgets;  ///< labels
 
+  /// Whether a number is within the limit.
+  [[nodiscard]] bool admits(double value) const;
   [[nodiscard]] std::string limitText() const;
 };
 
@@ -119,6 +152,7 @@ struct Experiment {
   std::vector<Target> targets;
 
   [[nodiscard]] const Variant& variant(std::string_view id) const;
+  [[nodiscard]] const Study& study(std::string_view id) const;
 };
 
 /// Parses an experiment file; the tables of its keys are in README.md of this folder.

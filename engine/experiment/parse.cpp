@@ -1,12 +1,10 @@
-// The experiment file as a whole, its variants and its targets.
+// The experiment file as a whole, and its variants.
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <stdexcept>
 
 #include "engine/core/error.h"
-#include "engine/experiment/point.h"
+#include "engine/experiment/parse_target.h"
 #include "engine/experiment/study.h"
 #include "engine/settings/toml_file.h"
 
@@ -15,6 +13,8 @@ namespace {
 
 constexpr int kLeastReportPixels = 32;
 constexpr int kMostReportPixels = 2048;
+/// All points of a sweep are renderers that live at the same time.
+constexpr std::size_t kMostSweepValues = 64;
 
 /// Ids are parts of file names and of the report's addresses.
 void requireId(const std::string& id, const std::string& place) {
@@ -25,6 +25,46 @@ void requireId(const std::string& id, const std::string& place) {
     failInput("{}: id: '{}' is no id; use 1 to 64 letters, digits, '-', '_', '+' and '.'", place,
               oneLine(id));
   }
+}
+
+constexpr const char* kSweepForm = "one setting and its values, { lod.r = [1.25, 2, 4] }";
+
+std::vector<double> readSweepValues(const toml::array& list, const std::string& place) {
+  std::vector<double> values;
+  for (const toml::node& element : list) {
+    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value)) {
+      failInput("{}: sweep: takes {}, all of them finite numbers", place, kSweepForm);
+    }
+    if (std::find(values.begin(), values.end(), *value) != values.end()) {
+      failInput("{}: sweep: {:g} stands twice; keep one", place, *value);
+    }
+    values.push_back(*value);
+    if (values.size() > kMostSweepValues) {
+      failInput("{}: sweep: more than {} values; shorten the list", place, kMostSweepValues);
+    }
+  }
+  if (values.empty()) failInput("{}: sweep: takes {}", place, kSweepForm);
+  return values;
+}
+
+/// @param table { lod.r = [1, 2] } or { "lod.r" = [1, 2] }
+Sweep readSweep(const toml::table& table, const std::string& place) {
+  Sweep sweep;
+  sweep.place = place;
+  const toml::table* inner = &table;
+  while (inner != nullptr) {
+    if (inner->size() != 1) failInput("{}: sweep: takes {}", place, kSweepForm);
+    const auto only = inner->begin();  // what it points to lives in the iterator
+    const auto& [key, node] = *only;
+    sweep.setting += (sweep.setting.empty() ? "" : ".") + std::string(key.str());
+    if (const toml::array* list = node.as_array()) {
+      sweep.values = readSweepValues(*list, place);
+      return sweep;
+    }
+    inner = node.as_table();
+  }
+  failInput("{}: sweep: takes {}", place, kSweepForm);
 }
 
 Variant readVariant(const toml::table& table, const std::string& file) {
@@ -47,6 +87,13 @@ Variant readVariant(const toml::table& table, const std::string& file) {
       failInput("{}: an oracle takes no settings, and needs budgets = true", variant.place);
     }
   }
+  if (const toml::table* sweep = reader.table("sweep")) {
+    variant.sweep = readSweep(*sweep, reader.place("sweep"));
+    if (variant.budgets) {
+      failInput("{}: sweep: variant '{}' is measured at budgets already; keep one of the two",
+                variant.sweep->place, variant.id);
+    }
+  }
   reader.finish();
   return variant;
 }
@@ -66,69 +113,7 @@ Study readStudy(const toml::table& table, const std::string& file, const Study& 
   return study;
 }
 
-/// "<= 1.25"
-void readLimit(TableReader& reader, Target& target) {
-  std::string text;
-  reader.require("limit");
-  reader.text("limit", text);
-  const bool upper = text.starts_with("<=");
-  std::size_t at = 2;
-  while (at < text.size() && text[at] == ' ') ++at;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data() + std::min(at, text.size()), end, target.limit);
-  if ((!upper && !text.starts_with(">=")) || parsed.ec != std::errc{} || parsed.ptr != end ||
-      !std::isfinite(target.limit)) {
-    failInput("{}: limit: '{}' is no limit; write \"<= 1.25\" or \">= 1.5\"", reader.place("limit"),
-              oneLine(text));
-  }
-  target.atMost = upper;
-}
-
-Target readTarget(const toml::table& table, const std::string& file,
-                  const std::vector<std::string>& variants,
-                  const std::vector<std::string>& studies) {
-  TableReader reader(table, file);
-  Target target;
-  reader.require("name");
-  reader.text("name", target.name);
-  reader.text("papers", target.papers);
-  std::size_t kind = 0;
-  reader.require("kind");
-  reader.choice("kind", kind, {"ratio", "order", "value"});
-  target.kind = static_cast<Target::Kind>(kind);
-  reader.require("metric");
-  reader.text("metric", target.metric);
-  requireKnown(target.metric.starts_with("ms.passes.") ? "ms.total" : target.metric, metricNames(),
-               "metric", reader.place("metric"));
-  if (target.kind != Target::Kind::Order) {
-    reader.require("of");
-    reader.text("of", target.of);
-    requireKnown(target.of, variants, "variant", reader.place("of"));
-    readLimit(reader, target);
-  }
-  if (target.kind != Target::Kind::Value) {
-    const char* key = target.kind == Target::Kind::Ratio ? "against" : "order";
-    reader.require(key);
-    reader.texts(key, target.against);
-    for (const std::string& id : target.against) {
-      requireKnown(id, variants, "variant", reader.place(key));
-    }
-  }
-  if (target.kind == Target::Kind::Value) {
-    reader.flag("unless_all_stored", target.unlessAllStored);
-  }
-  reader.texts("studies", target.studies);
-  for (const std::string& id : target.studies) {
-    requireKnown(id, studies, "study", reader.place("studies"));
-  }
-  reader.texts("scenes", target.scenes);
-  reader.texts("lights", target.lights);
-  reader.texts("budgets", target.budgets);
-  reader.finish();
-  return target;
-}
-
-std::vector<std::string> requireUniqueIds(const auto& elements, std::string_view what) {
+void requireUniqueIds(const auto& elements, std::string_view what) {
   std::vector<std::string> ids;
   for (const auto& element : elements) {
     if (std::find(ids.begin(), ids.end(), element.id) != ids.end()) {
@@ -136,17 +121,9 @@ std::vector<std::string> requireUniqueIds(const auto& elements, std::string_view
     }
     ids.push_back(element.id);
   }
-  return ids;
 }
 
 }  // namespace
-
-const Variant& Experiment::variant(std::string_view id) const {
-  const auto found =
-      std::find_if(variants.begin(), variants.end(), [&](const Variant& v) { return v.id == id; });
-  if (found == variants.end()) throw std::logic_error("a variant that was not checked");
-  return *found;
-}
 
 Experiment parseExperiment(const std::string& text, const std::string& name) {
   Experiment experiment;
@@ -181,19 +158,10 @@ Experiment parseExperiment(const std::string& text, const std::string& name) {
     defaults.title = experiment.title;
     experiment.studies.push_back(defaults);
   }
-  const auto studies = requireUniqueIds(experiment.studies, "study");
+  requireUniqueIds(experiment.studies, "study");
   for (Study& study : experiment.studies) completeStudy(study, experiment.variants);
-  std::vector<std::string> variants;
-  for (const Variant& variant : experiment.variants) variants.push_back(variant.id);
-  std::vector<std::string> scenes;
-  for (const Study& study : experiment.studies) {
-    scenes.insert(scenes.end(), study.scenes.begin(), study.scenes.end());
-  }
   for (const toml::table* target : targetTables) {
-    experiment.targets.push_back(readTarget(*target, name, variants, studies));
-    for (const std::string& scene : experiment.targets.back().scenes) {
-      requireKnown(scene, scenes, "scene", TableReader(*target, name).place("scenes"));
-    }
+    experiment.targets.push_back(readTarget(*target, experiment));
   }
   return experiment;
 }

@@ -55,9 +55,16 @@ std::string plainName(const std::string& text) {
 Json groupFacts(const Group& group, const Study& study, const Fingerprint& fingerprint) {
   Json settings = Json::object();
   for (const toml::table* layer : study.settings) flatten(*layer, "", settings);
-  Json facts{{"program", fingerprint.program}, {"scene", group.scene}, {"width", group.size.width},
-             {"height", group.size.height},    {"seed", group.seed},   {"light", group.light},
-             {"camera", study.camera},         {"gaze", study.gaze},   {"settings", settings}};
+  Json facts{{"program", fingerprint.program},
+             {"scene", group.scene},
+             {"width", group.size.width},
+             {"height", group.size.height},
+             {"seed", group.seed},
+             {"light", group.light},
+             {"camera", study.camera},
+             {"gaze", study.gaze},
+             {"settings", settings},
+             {"pixels_per_degree", study.pixelsPerDegree}};
   for (const std::string& name : {group.scene, study.camera, study.gaze}) {
     const auto file = fingerprint.files.find(name);
     if (file != fingerprint.files.end()) facts["files"][name] = file->second;
@@ -91,13 +98,19 @@ std::vector<Batch> batchesOf(const Experiment& experiment, const std::vector<std
   for (const std::string& id : ids) {
     const auto index = static_cast<std::size_t>(&experiment.variant(id) - &experiment.variants[0]);
     const Variant& variant = experiment.variants[index];
+    if (variant.sweep) {
+      for (const double value : variant.sweep->values) {
+        unlimited.points.push_back({index, std::nullopt, value, {}, {}});
+      }
+      continue;
+    }
     if (!variant.budgets) {
-      unlimited.points.push_back({index, std::nullopt, {}, {}});
+      unlimited.points.push_back({index, std::nullopt, std::nullopt, {}, {}});
       continue;
     }
     for (std::size_t i = 0; i < budgets.size(); ++i) {
       Batch& batch = variant.oracle == Oracle::None ? limited[i] : oracles;
-      batch.points.push_back({index, budgets[i], {}, {}});
+      batch.points.push_back({index, budgets[i], std::nullopt, {}, {}});
     }
   }
   std::vector<Batch> all;
@@ -123,7 +136,9 @@ void giveKeys(Batch& batch, const Experiment& experiment, const Study& study, co
     members.push_back({{"id", variant.id},
                        {"oracle", nameOf(variant.oracle)},
                        {"settings", settings},
-                       {"budget", point.budget ? point.budget->label() : ""}});
+                       {"budget", point.budget ? point.budget->label() : ""},
+                       {"sweep", point.value ? Json(variant.sweep->setting) : Json(nullptr)},
+                       {"value", point.value ? Json(*point.value) : Json(nullptr)}});
   }
   for (std::size_t i = 0; i < batch.points.size(); ++i) {
     PointPlan& point = batch.points[i];
@@ -133,10 +148,12 @@ void giveKeys(Batch& batch, const Experiment& experiment, const Study& study, co
                        {"frames", batch.oracles ? 0 : study.frames},
                        {"scale", experiment.differenceScale},
                        {"index", i}});
-    point.stem = fmt::format("{}_{}{}_{}", group.stem.substr(0, group.stem.rfind('_')),
-                             experiment.variants[point.variant].id,
-                             point.budget ? "_" + plainName(point.budget->label()) : "",
-                             point.key.substr(0, 8));
+    const Variant& variant = experiment.variants[point.variant];
+    std::string where;
+    if (point.budget) where = "_" + plainName(point.budget->label());
+    if (point.value) where = "_" + plainName(variant.sweep->label(*point.value));
+    point.stem = fmt::format("{}_{}{}_{}", group.stem.substr(0, group.stem.rfind('_')), variant.id,
+                             where, point.key.substr(0, 8));
   }
 }
 

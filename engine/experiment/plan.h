@@ -16,18 +16,19 @@ struct Fingerprint {
   std::map<std::string, std::string> files;  ///< hashes of scene, camera and gaze files, by name
 };
 
-/// One variant at one budget.
+/// One variant at one budget or at one value of its sweep.
 struct PointPlan {
   std::size_t variant = 0;  ///< index into Experiment::variants
   std::optional<Budget> budget;
+  std::optional<double> value;  ///< of the variant's sweep
   /// 16 hexadecimal digits: equal where, and only where, everything that decides the numbers is
   /// equal, the other variants of the batch among it, because ratios are taken within one.
   std::string key;
   std::string stem;  ///< of its image files: readable, and unique by the key
 };
 
-/// Renderers that live at the same time unless the experiment asks for more: at 1024x1024 about
-/// 2 GiB.
+/// Renderers that live at the same time unless a study's `compare` asks for more: at 1024x1024
+/// about 2 GiB.
 inline constexpr std::size_t kMostTogether = 16;
 
 /// Points whose frames take turns, or the oracles of a group (without time). Only times of one
@@ -56,7 +57,8 @@ struct Group {
 
 /// All variants of a `compare` list take turns at all budgets. Where a study has none, all of its
 /// points take turns if they are at most kMostTogether, else those of each budget, and variants
-/// without one take turns with the first budget. Order from the slowest: studies, scenes, lights,
+/// without one take turns with the first budget. A sweep has no budgets, so a curve is in one batch
+/// with all that it is compared with. Order from the slowest: studies, scenes, lights,
 /// sizes, seeds.
 [[nodiscard]] std::vector<Group> expand(const Experiment& experiment,
                                         const Fingerprint& fingerprint);

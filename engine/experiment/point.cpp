@@ -18,9 +18,15 @@ constexpr Metric kMetrics[] = {
     {"ms.transparency", "/ms/transparency/median"},
     {"ms.transparency.p5", "/ms/transparency/p5"},
     {"ms.transparency.p95", "/ms/transparency/p95"},
+    {"ms.shading", "/ms/shading/median"},
+    {"ms.shading.p5", "/ms/shading/p5"},
+    {"ms.shading.p95", "/ms/shading/p95"},
     {"ms.total", "/ms/total/median"},
     {"ms.total.p5", "/ms/total/p5"},
     {"ms.total.p95", "/ms/total/p95"},
+    {"speedup", "/speedup"},
+    {"shading.shaded_share", "/shading/shaded_share"},
+    {"shading.holes_share", "/shading/holes_share"},
     {"bytes.transparency", "/bytes/transparency"},
     {"bytes.oit", "/bytes/oit"},
     {"bytes.budget", "/bytes/budget"},
@@ -40,13 +46,15 @@ constexpr Metric kMetrics[] = {
     {"psnr_db", "/error/psnr_db"},
     {"max", "/error/max"},
     {"flip", "/error/flip"},
+    {"flip_gaze", "/error/flip_gaze"},
 };
 
 constexpr std::string_view kPassPrefix = "ms.passes.";
 
 /// Columns that are no metrics.
-constexpr const char* kTexts[] = {"study", "scene",  "width",  "height", "seed", "light", "variant",
-                                  "label", "budget", "status", "reason", "sync", "exact", "key"};
+constexpr const char* kTexts[] = {"study",  "scene",   "width", "height", "seed",
+                                  "light",  "variant", "label", "budget", "sweep",
+                                  "status", "reason",  "sync",  "exact",  "key"};
 
 std::string csvCell(const Point& point, const char* key) {
   const auto found = point.find(key);
@@ -92,9 +100,24 @@ Point startPoint(const Experiment& experiment, const Group& group, const Batch& 
           {"seed", group.seed},
           {"light", group.light},
           {"variant", variant.id},
-          {"label", variant.label},
+          {"label", variant.labelAt(plan.value)},
           {"budget", plan.budget ? Point(plan.budget->label()) : Point(nullptr)},
+          {"sweep", plan.value ? Point(*plan.value) : Point(nullptr)},
           {"status", status}};
+}
+
+std::string textOf(const Point& point, const char* key) {
+  const auto found = point.find(key);
+  return found != point.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+bool sameGroup(const Point& a, const Point& b) {
+  return a["study"] == b["study"] && a["scene"] == b["scene"] && a["width"] == b["width"] &&
+         a["height"] == b["height"] && a["seed"] == b["seed"] && a["light"] == b["light"];
+}
+
+bool tookTurns(const Point& a, const Point& b) {
+  return textOf(a, "batch") == textOf(b, "batch");
 }
 
 Point spreadOf(std::span<const double> values) {

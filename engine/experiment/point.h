@@ -24,6 +24,15 @@ inline constexpr const char* kRefused = "refused";  ///< "reason" says why
 [[nodiscard]] Point startPoint(const Experiment& experiment, const Group& group, const Batch& batch,
                                const PointPlan& plan, std::string_view status);
 
+/// A text of a point; empty where it has none.
+[[nodiscard]] std::string textOf(const Point& point, const char* key);
+
+/// Whether two points share study, scene, size, seed and light.
+[[nodiscard]] bool sameGroup(const Point& a, const Point& b);
+
+/// Whether two points took turns, so that their times may be divided by each other.
+[[nodiscard]] bool tookTurns(const Point& a, const Point& b);
+
 /// {"median", "p5", "p95"} of at least one value.
 [[nodiscard]] Point spreadOf(std::span<const double> values);
 

@@ -36,11 +36,14 @@ nlohmann::ordered_json toJson(const Results& results) {
                        {"title", study.title},
                        {"camera", study.camera},
                        {"gaze", study.gaze},
+                       {"base", study.base.empty() ? Json(nullptr) : Json(study.base)},
+                       {"pixels_per_degree", study.pixelsPerDegree},
                        {"frames", study.frames}});
   }
   Json variants = Json::array();
   for (const Variant& variant : experiment.variants) {
-    variants.push_back({{"id", variant.id}, {"label", variant.label}});
+    const Json sweep = variant.sweep ? Json(variant.sweep->setting) : Json(nullptr);
+    variants.push_back({{"id", variant.id}, {"label", variant.label}, {"sweep", sweep}});
   }
   Json skipped = Json::array();
   for (const Skipped& entry : results.skipped) {

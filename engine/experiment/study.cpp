@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/experiment/plan.h"
 
 namespace macula::experiment {
 namespace {
@@ -16,6 +17,8 @@ constexpr int kMaxFrames = 10000;
 constexpr double kMostKAve = 4096.0;  ///< the ranges of oit.kAve and oit.memoryMiB
 constexpr double kMostMiB = 8192.0;
 constexpr double kLeastBudget = 1e-6;
+constexpr double kLeastPixelsPerDegree = 1.0;  ///< as FLIP takes them
+constexpr double kMostPixelsPerDegree = 1000.0;
 /// More points than anybody waits for: a slip in a list, not a plan.
 constexpr std::size_t kMostPoints = 100000;
 
@@ -87,11 +90,23 @@ void requireDistinct(const Study& study) {
   }
 }
 
-void requireFewEnough(const Study& study) {
-  std::size_t points = 1;
+const Variant& variantOf(const std::vector<Variant>& variants, const std::string& id) {
+  return *std::find_if(variants.begin(), variants.end(),
+                       [&](const Variant& variant) { return variant.id == id; });
+}
+
+/// How many points a variant makes in one group.
+std::size_t pointsOf(const Variant& variant, const Study& study) {
+  if (variant.sweep) return variant.sweep->values.size();
+  return variant.budgets ? study.budgets.size() : 1;
+}
+
+void requireFewEnough(const Study& study, const std::vector<Variant>& variants) {
+  std::size_t ofGroup = 0;
+  for (const std::string& id : study.variants) ofGroup += pointsOf(variantOf(variants, id), study);
+  std::size_t points = ofGroup;
   for (const std::size_t count :
-       {study.scenes.size(), study.sizes.size(), study.seeds.size(), study.lights.size(),
-        study.variants.size(), std::max<std::size_t>(1, study.budgets.size())}) {
+       {study.scenes.size(), study.sizes.size(), study.seeds.size(), study.lights.size()}) {
     points = points > kMostPoints ? points : points * count;
   }
   if (points > kMostPoints) {
@@ -116,6 +131,49 @@ void completeCompare(Study& study) {
   if (!rest.empty()) study.compare.push_back(rest);
 }
 
+bool holds(const std::vector<std::string>& list, const std::string& id) {
+  return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+/// Points without a budget take turns, so a sweep's renderers live together with all of them.
+void requireRoomForSweeps(const Study& study, const std::vector<Variant>& variants) {
+  if (study.comparesByList) return;
+  std::size_t together = 0;
+  bool swept = false;
+  for (const std::string& id : study.variants) {
+    const Variant& variant = variantOf(variants, id);
+    if (!variant.budgets) together += pointsOf(variant, study);
+    swept = swept || variant.sweep;
+  }
+  if (swept && together > kMostTogether) {
+    failInput(
+        "{}: its sweeps make {} renderers that live at the same time, more than {}; name the "
+        "variants that take turns in compare, or shorten the sweeps",
+        study.place, together, kMostTogether);
+  }
+}
+
+/// The base must be one point, and every curve must take turns with it.
+void requireBase(const Study& study, const std::vector<Variant>& variants) {
+  if (study.base.empty()) return;
+  requireKnown(study.base, study.variants, "base variant", study.place);
+  const Variant& base = variantOf(variants, study.base);
+  if (base.sweep || base.budgets) {
+    failInput("{}: base '{}' has a sweep or budgets; name a variant that is one point", study.place,
+              base.id);
+  }
+  const auto& list = *std::find_if(study.compare.begin(), study.compare.end(),
+                                   [&](const auto& ids) { return holds(ids, base.id); });
+  for (const std::string& id : study.variants) {
+    if (variantOf(variants, id).sweep && !holds(list, id)) {
+      failInput(
+          "{}: variant '{}' does not take turns with the base '{}'; name both in one list of "
+          "compare",
+          study.place, id, base.id);
+    }
+  }
+}
+
 }  // namespace
 
 void requireKnown(const std::string& name, const std::vector<std::string>& known,
@@ -137,7 +195,10 @@ void readStudyKeys(TableReader& reader, Study& study) {
   reader.texts("lights", study.lights);
   reader.text("camera", study.camera);
   reader.text("gaze", study.gaze);
+  reader.text("base", study.base);
   reader.integer("frames", study.frames, 1, kMaxFrames);
+  reader.number("pixels_per_degree", study.pixelsPerDegree, kLeastPixelsPerDegree,
+                kMostPixelsPerDegree);
   reader.textLists("compare", study.compare);
   if (reader.has("budgets")) study.budgets.clear();
   const std::string place = reader.place();
@@ -163,9 +224,7 @@ void completeStudy(Study& study, const std::vector<Variant>& variants) {
     }
   }
   for (const Variant& variant : variants) {
-    const bool used =
-        std::find(study.variants.begin(), study.variants.end(), variant.id) != study.variants.end();
-    if (used && variant.budgets && study.budgets.empty()) {
+    if (holds(study.variants, variant.id) && variant.budgets && study.budgets.empty()) {
       failInput(
           "{}: variant '{}' has budgets = true and there are none; add budgets = "
           "[{{ k_ave = 2 }}]",
@@ -175,9 +234,11 @@ void completeStudy(Study& study, const std::vector<Variant>& variants) {
   if (study.sizes.empty()) study.sizes = {{256, 256}};
   if (study.seeds.empty()) study.seeds = {1};
   if (study.lights.empty()) study.lights = {kOwnLight};
-  requireFewEnough(study);
+  requireFewEnough(study, variants);
   requireDistinct(study);
   completeCompare(study);
+  requireRoomForSweeps(study, variants);
+  requireBase(study, variants);
 }
 
 }  // namespace macula::experiment

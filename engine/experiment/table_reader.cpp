@@ -96,6 +96,13 @@ void TableReader::number(const char* key, double& value, double least, double mo
   value = *number;
 }
 
+void TableReader::number(const char* key, std::optional<double>& value) {
+  if (!has(key)) return;
+  double found = 0.0;
+  number(key, found, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+  value = found;
+}
+
 std::vector<std::string> TableReader::textsOf(const char* key, const toml::node& node) const {
   std::vector<std::string> all;
   if (const toml::array* list = node.as_array()) {
@@ -111,6 +118,13 @@ std::vector<std::string> TableReader::textsOf(const char* key, const toml::node&
 
 void TableReader::texts(const char* key, std::vector<std::string>& value) {
   if (const toml::node* node = find(key)) value = textsOf(key, *node);
+}
+
+void TableReader::textOrTexts(const char* key, std::vector<std::string>& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto one = node->value_exact<std::string>();
+  value = one && !one->empty() ? std::vector<std::string>{*one} : textsOf(key, *node);
 }
 
 void TableReader::textLists(const char* key, std::vector<std::vector<std::string>>& value) {

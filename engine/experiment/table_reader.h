@@ -27,8 +27,12 @@ class TableReader {
   void integer(const char* key, int& value, int least, int most);
   /// @param least, most inclusive
   void number(const char* key, double& value, double least, double most);
+  /// Any finite one.
+  void number(const char* key, std::optional<double>& value);
   /// Neither the list nor its members may be empty.
   void texts(const char* key, std::vector<std::string>& value);
+  /// The same, or one text without brackets.
+  void textOrTexts(const char* key, std::vector<std::string>& value);
   void integers(const char* key, std::vector<std::int64_t>& value, std::int64_t least,
                 std::int64_t most);
   void textLists(const char* key, std::vector<std::vector<std::string>>& value);

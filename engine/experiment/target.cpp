@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/experiment/target_curve.h"
+
 namespace macula::experiment {
 namespace {
 
 using State = TargetRow::State;
-
-std::string textOf(const Point& point, const char* key) {
-  const auto found = point.find(key);
-  return found != point.end() && found->is_string() ? found->get<std::string>() : "";
-}
 
 bool listed(const std::vector<std::string>& list, const std::string& name) {
   return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
@@ -31,27 +28,36 @@ std::string placeOf(const Point& point) {
   return text;
 }
 
-bool sameGroup(const Point& a, const Point& b) {
-  return a["study"] == b["study"] && a["scene"] == b["scene"] && a["width"] == b["width"] &&
-         a["height"] == b["height"] && a["seed"] == b["seed"] && a["light"] == b["light"];
+/// The value of a point of a sweep.
+std::optional<double> sweepOf(const Point& point) {
+  const auto found = point.find("sweep");
+  if (found == point.end() || !found->is_number()) return std::nullopt;
+  return found->get<double>();
 }
 
 class Judge {
  public:
-  Judge(const Target& target, std::span<const Point> points) : target_(target), points_(points) {}
+  Judge(const Experiment& experiment, const Target& target, std::span<const Point> points)
+      : experiment_(experiment), target_(target), points_(points) {}
 
   std::vector<TargetRow> rows() const {
     const std::string& lead =
         target_.kind == Target::Kind::Order ? target_.against.front() : target_.of;
     std::vector<TargetRow> all;
+    const Point* before = nullptr;
     for (const Point& point : points_) {
       if (textOf(point, "variant") != lead || !listed(target_.studies, textOf(point, "study")) ||
           !listed(target_.scenes, textOf(point, "scene")) ||
           !listed(target_.lights, textOf(point, "light")) ||
-          !listed(target_.budgets, textOf(point, "budget"))) {
+          !listed(target_.budgets, textOf(point, "budget")) ||
+          (target_.at && sweepOf(point) != target_.at)) {
         continue;
       }
-      all.push_back(rowOf(point));
+      // All points of a curve make one row.
+      const bool sameCurve =
+          target_.kind == Target::Kind::Curve && before != nullptr && sameGroup(*before, point);
+      if (!sameCurve) all.push_back(rowOf(point));
+      before = &point;
     }
     if (all.empty()) {
       all.push_back({&target_,
@@ -67,14 +73,19 @@ class Judge {
  private:
   TargetRow rowOf(const Point& point) const {
     TargetRow row{&target_, textOf(point, "study"), placeOf(point), {}, State::Unmeasured, {}};
+    if (target_.kind == Target::Kind::Curve) {
+      judgeCurve(experiment_, points_, point, row);
+      return row;
+    }
     if (!textOf(point, "budget").empty()) row.where += ", " + textOf(point, "budget");
+    row.where += sweptText(point, ", ");
     if (target_.kind == Target::Kind::Order) {
       judgeOrder(point, row);
       return row;
     }
     const auto value = metricOf(point, target_.metric);
     if (!value) {
-      row.note = missing(point, target_.of);
+      row.note = missing(point, target_.of, target_.metric);
       return row;
     }
     if (target_.kind == Target::Kind::Ratio) {
@@ -85,11 +96,21 @@ class Judge {
     return row;
   }
 
-  /// The point of another variant beside this one: at its budget, else without one.
+  /// `before` and the value of a sweep, as "r=2"; nothing for other points.
+  std::string sweptText(const Point& point, const char* before) const {
+    const auto value = sweepOf(point);
+    if (!value) return "";
+    return before + experiment_.variant(textOf(point, "variant")).sweep.value().label(*value);
+  }
+
+  /// The point of another variant beside this one: at its budget, else without one; of a swept
+  /// variant at the value that the target names, else at the same value.
   const Point* partner(const Point& point, const std::string& variant) const {
     const Point* without = nullptr;
+    const auto value = target_.againstAt ? target_.againstAt : sweepOf(point);
     for (const Point& other : points_) {
       if (textOf(other, "variant") != variant || !sameGroup(point, other)) continue;
+      if (sweepOf(other) && sweepOf(other) != value) continue;
       if (textOf(other, "budget") == textOf(point, "budget")) return &other;
       if (textOf(other, "budget").empty()) without = &other;
     }
@@ -98,18 +119,23 @@ class Judge {
 
   /// Times may only be divided where the frames took turns.
   [[nodiscard]] bool comparable(const Point& a, const Point& b) const {
-    return !target_.metric.starts_with("ms.") || textOf(a, "batch") == textOf(b, "batch");
+    return !target_.metric.starts_with("ms.") || tookTurns(a, b);
   }
 
-  std::string missing(const Point& point, const std::string& variant) const {
+  /// What a ratio divides by.
+  [[nodiscard]] const std::string& below() const {
+    return target_.againstMetric.empty() ? target_.metric : target_.againstMetric;
+  }
+
+  static std::string missing(const Point& point, const std::string& variant,
+                             const std::string& metric) {
     const std::string reason = textOf(point, "reason");
-    return variant + ": " + (reason.empty() ? "no " + target_.metric : reason);
+    return variant + ": " + (reason.empty() ? "no " + metric : reason);
   }
 
   void settle(double value, TargetRow& row) const {
     row.value = value;
-    const bool met = target_.atMost ? value <= target_.limit : value >= target_.limit;
-    row.state = met ? State::Met : State::Missed;
+    row.state = target_.admits(value) ? State::Met : State::Missed;
   }
 
   void judgeRatio(const Point& point, double value, TargetRow& row) const {
@@ -122,19 +148,22 @@ class Judge {
         gaps += "; " + id + " did not take turns with " + target_.of + ", name both in compare";
         continue;
       }
-      const auto number = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
+      const auto number = other == nullptr ? std::nullopt : metricOf(*other, below());
       if (number && (!least || *number < *least)) {
         least = number;
-        of = id;
+        of = id + sweptText(*other, " ");
       } else if (!number) {
-        gaps += "; " + (other == nullptr ? id + " has no point here" : missing(*other, id));
+        gaps +=
+            "; " + (other == nullptr ? id + " has no point here" : missing(*other, id, below()));
       }
     }
     if (!least) {
       row.note = gaps.substr(2);
       return;
     }
-    row.note = fmt::format("{:.4g} ({}) / {:.4g} ({}){}", value, target_.of, *least, of, gaps);
+    if (!target_.againstMetric.empty()) of += " " + target_.againstMetric;
+    row.note = fmt::format("{:.4g} ({}{}) / {:.4g} ({}){}", value, target_.of,
+                           sweptText(point, " "), *least, of, gaps);
     if (*least > 0.0) {
       settle(value / *least, row);
     } else {
@@ -162,7 +191,8 @@ class Judge {
       const Point* other = id == textOf(point, "variant") ? &point : partner(point, id);
       const auto value = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
       if (!value) {
-        row.note = other == nullptr ? id + " has no point here" : missing(*other, id);
+        row.note =
+            other == nullptr ? id + " has no point here" : missing(*other, id, target_.metric);
         return;
       }
       // Where nothing is left to lower, equal is as good.
@@ -175,6 +205,7 @@ class Judge {
     row.state = falling ? State::Met : State::Missed;
   }
 
+  const Experiment& experiment_;
   const Target& target_;
   std::span<const Point> points_;
 };
@@ -193,10 +224,27 @@ std::string_view nameOf(TargetRow::State state) {
   return "unmeasured";
 }
 
+namespace {
+
+/// Places that several studies share are told apart by the study.
+void nameStudies(std::vector<TargetRow>& rows) {
+  const std::vector<TargetRow> before = rows;
+  for (TargetRow& row : rows) {
+    const bool shared = std::any_of(before.begin(), before.end(), [&](const TargetRow& other) {
+      return other.where == row.where && other.study != row.study;
+    });
+    if (shared) row.where += ", " + row.study;
+  }
+}
+
+}  // namespace
+
 std::vector<TargetRow> judge(const Experiment& experiment, std::span<const Point> points) {
   std::vector<TargetRow> rows;
   for (const Target& target : experiment.targets) {
-    for (TargetRow& row : Judge(target, points).rows()) rows.push_back(std::move(row));
+    std::vector<TargetRow> own = Judge(experiment, target, points).rows();
+    nameStudies(own);
+    for (TargetRow& row : own) rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -41,6 +41,42 @@ limit = "<= 0.01"
 """
 
 
+SWEPT = """title = "Swept"
+scenes = ["layers-16"]
+sizes = ["64x64"]
+frames = 2
+base = "exact"
+pixels_per_degree = 30
+[[variant]]
+id = "exact"
+settings = { oit.method = "ab-sbuffer" }
+[[variant]]
+id = "more"
+settings = { oit.method = "kb-variable" }
+sweep = { "oit.kAve" = [12, 4.5, 2] }
+[[variant]]
+id = "less"
+settings = { oit.method = "kb-variable", oit.tail = "none" }
+sweep = { oit.kAve = [8, 3] }
+[[target]]
+name = "one point"
+kind = "ratio"
+metric = "rmse"
+of = "more"
+at = 2
+against = "more"
+against_at = 12
+limit = "> 1"
+[[target]]
+name = "a curve"
+kind = "curve"
+metric = "psnr_db"
+of = "more"
+against = "less"
+statistic = "mean"
+limit = "> -1000"
+"""
+
 # What a reader does with the report, all of it.
 USE = """<script>
 for (const select of document.querySelectorAll('#view select')) {
@@ -197,6 +233,46 @@ def check_report(folder):
     return True
 
 
+def check_sweep(folder):
+    """Points of a sweep, their speed-ups, targets on them, and their chart."""
+    done = chart(folder, SWEPT)
+    assert "6 points: 6 measured now, 0 kept" in done.stdout, done.stdout
+    made = results(folder)
+    assert [(p["label"], p["sweep"]) for p in made["points"]] == [
+        ("exact", None), ("more kAve=12", 12), ("more kAve=4.5", 4.5), ("more kAve=2", 2),
+        ("less kAve=8", 8), ("less kAve=3", 3)]
+    exact = made["points"][0]
+    for point in made["points"]:
+        assert point["batch"] == exact["batch"], "they took turns"
+        assert point["speedup"] == exact["ms"]["total"]["median"] / point["ms"]["total"]["median"]
+        assert point["sweep"] is None or point["settings"]["oit.kAve"] == point["sweep"], point["settings"]
+        assert point["error"]["flip_gaze"] >= 0 and point["ms"]["shading"]["median"] >= 0
+    ratio, curve = made["targets"]
+    errors = [p["error"]["rmse"] for p in made["points"][1:4]]
+    assert errors[0] < errors[1] < errors[2], errors
+    assert ratio["where"] == "layers-16 64x64, kAve=2" and ratio["state"] == "met", ratio
+    assert abs(ratio["value"] - errors[2] / errors[0]) < 1e-9, ratio
+    # Times decide whether the curves share a speed-up at all.
+    assert curve["state"] in ("met", "unmeasured") and curve["note"], curve
+    with open(os.path.join(folder, "out", "results.csv"), encoding="utf-8", newline="") as f:
+        rows = list(csv.DictReader(f))
+    assert [row["sweep"] for row in rows] == ["", "12.0", "4.5", "2.0", "8.0", "3.0"], rows
+    assert float(rows[2]["speedup"]) == made["points"][2]["speedup"]
+    assert float(rows[2]["ms.shading"]) == made["points"][2]["ms"]["shading"]["median"]
+    assert "6 points: 0 measured now, 6 kept" in chart(folder, SWEPT).stdout
+    changed = SWEPT.replace("pixels_per_degree = 30", "pixels_per_degree = 31")
+    assert "6 points: 6 measured now, 0 kept" in chart(folder, changed).stdout
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is None:
+        return
+    dom = opened(browser, folder, os.path.join(folder, "out", "report.html"))
+    at = dom.index('id="by-speed"')
+    part = dom[at:dom.index("</figure>", at)]
+    assert "<canvas" in part and part.count('class="dot') == 6, part.count('class="dot')
+    for label in ("12", "4.5", "2", "exact"):
+        assert re.search(rf"<text[^>]*>{label}</text>", part), f"{label} stands at no point"
+
+
 def check_interrupted(folder):
     """Killed in the middle: what was finished stays, the rest is measured by the next run."""
     scenes = ", ".join(f'"layers-{n}"' for n in range(2, 12))
@@ -251,6 +327,9 @@ def check_refusals(folder):
     refuses(TINY.replace("oit.method = \"kb-v", "oit.metod = \"kb-v"), "experiment.toml:11: ")
     refuses(TINY.replace("kb-variable", "kb-variabel"), "experiment.toml:11: ")
     refuses(TINY.replace("layers-16", "smok"), "smok")
+    refuses(SWEPT.replace("4.5, 2]", "0, 2]"), "experiment.toml:13: ")
+    refuses(SWEPT.replace("oit.kAve = [8", "oit.kAev = [8"), "'oit.kAve'")
+    refuses(SWEPT.replace("oit.kAve = [8, 3]", "frame.seed = [8, 3]"), "decides what is loaded")
     refuses(TINY.replace("kb-variable\" }", "kb-variable\", frame.seed = 7 }"), "decides what is loaded")
     refuses(TINY.replace("frames = 2", "frame = 2"), "'frames'")
     done = subprocess.run([MACULA, "chart", "quik", "--out", folder], capture_output=True, text=True)
@@ -261,6 +340,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_results(folder)
         seen = check_report(folder)
+        with tempfile.TemporaryDirectory() as swept:
+            check_sweep(swept)
         check_kept(folder)
         check_refusals(folder)
         check_oracles(folder)

@@ -69,7 +69,7 @@ limit = "<= 1.25"
                                        "x.toml");
   ASSERT_EQ(e.targets.size(), 1U);
   EXPECT_EQ(e.targets[0].kind, Target::Kind::Ratio);
-  EXPECT_TRUE(e.targets[0].atMost);
+  EXPECT_EQ(e.targets[0].bound, Target::Bound::AtMost);
   EXPECT_DOUBLE_EQ(e.targets[0].limit, 1.25);
   EXPECT_EQ(e.targets[0].limitText(), "<= 1.25");
 }
@@ -132,7 +132,7 @@ TEST(ExperimentParse, MorePointsThanAnybodyWaitsForAreRefused) {
 }
 
 TEST(ExperimentParse, ReadyMadeExperimentsAreWhole) {
-  for (const char* name : {"quick", "papers"}) {
+  for (const char* name : {"quick", "papers", "lod"}) {
     const std::string path =
         std::string(MACULA_SOURCE_DIR) + "/assets/experiments/" + name + ".toml";
     const Experiment e = parseExperiment(readTextFile(path), path);

@@ -104,7 +104,7 @@ TEST(ExperimentTarget, AValueMayExcuseScenesThatFit) {
   Target target = ratioTarget();
   target.kind = Target::Kind::Value;
   target.metric = "ms.passes.oit.capture";
-  target.atMost = false;
+  target.bound = Target::Bound::AtLeast;
   target.limit = 3.0;
   const std::vector<Point> fits{pointOf("a", "k_ave 2", 4.0, 0.0)};
   EXPECT_EQ(judgeOne(target, fits)[0].state, TargetRow::State::Missed);
@@ -120,7 +120,7 @@ TEST(ExperimentCsv, HasAColumnForEveryPassAndQuotesTexts) {
   const std::string csv = toCsv(std::vector<Point>{point});
   EXPECT_EQ(csv.rfind("study,scene,width,", 0), 0U);
   EXPECT_NE(csv.find(",ms.passes.oit.capture\n"), std::string::npos) << csv;
-  EXPECT_NE(csv.find("all,smoke,64,48,1,own,a,\"a, \"\"b\"\"\",k_ave 2,measured"),
+  EXPECT_NE(csv.find("all,smoke,64,48,1,own,a,\"a, \"\"b\"\"\",k_ave 2,,measured"),
             std::string::npos)
       << csv;
   EXPECT_EQ(csv.substr(csv.size() - 3), ",2\n") << "half of 4 ms in the last column";

@@ -15,6 +15,7 @@
 #include "engine/core/file.h"
 #include "engine/core/nearest.h"
 #include "engine/core/sha256.h"
+#include "engine/experiment/speedup.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -108,10 +109,12 @@ std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
         const Point* found = file.find(plan.key);
         if (found == nullptr) continue;
         points.push_back(*found);
-        points.back()["label"] = experiment.variants[plan.variant].label;  // may have been reworded
+        // May have been reworded.
+        points.back()["label"] = experiment.variants[plan.variant].labelAt(plan.value);
       }
     }
   }
+  experiment::giveSpeedups(experiment, points);
   return points;
 }
 
@@ -134,8 +137,9 @@ void printSummary(const Results& results, const ChartRun& run, const fs::path& f
     }
     before = row.target;
     const std::string value = row.value ? fmt::format("{:.3g}", *row.value) : "";
-    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value,
-               row.where.empty() ? row.note : row.where);
+    std::string where = row.where;
+    if (row.state == TargetRow::State::Unmeasured) where += (where.empty() ? "" : ": ") + row.note;
+    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value, where);
   }
   fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
              run.measured, run.kept, refused, (folder / "report.html").string());
@@ -174,7 +178,7 @@ void addChart(CLI::App& root) {
   CLI::App* command = root.add_subcommand(
       "chart", "Runs an experiment: errors, times and bytes of variants, as table and report");
   command->add_option("experiment", options->experiment,
-                      "A TOML file, or quick or papers (default quick)");
+                      "A TOML file, or quick, lod or papers (default quick)");
   command
       ->add_option("--out", options->out,
                    "Folder for results.csv, results.json and report.html; finished points in "

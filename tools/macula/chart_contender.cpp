@@ -29,15 +29,18 @@ void Contender::draw(bool measured) {
   result_ = renderer_.render(stage_.camera, stage_.gaze);
   if (!measured) return;
   totalMs_.push_back(result_.totalMs);
-  double sum = 0.0;
+  double transparency = 0.0;
+  double shading = 0.0;
   for (const frame::PassTime& pass : result_.passes) {
     auto known = std::find_if(passes_.begin(), passes_.end(),
                               [&](const PassSamples& p) { return p.name == pass.name; });
     if (known == passes_.end()) known = passes_.insert(known, {std::string(pass.name), {}});
     known->ms.push_back(pass.ms);
-    if (pass.name.starts_with("oit.")) sum += pass.ms;
+    if (pass.name.starts_with("oit.")) transparency += pass.ms;
+    if (pass.name == "lighting" || pass.name.starts_with("lod.")) shading += pass.ms;
   }
-  transparencyMs_.push_back(sum);
+  transparencyMs_.push_back(transparency);
+  shadingMs_.push_back(shading);
 }
 
 image::Image8 Contender::shown() const {
@@ -81,6 +84,20 @@ std::optional<double> Contender::budgetUsed() const {
   return static_cast<double>(used) / static_cast<double>(*plan.budgetBytes);
 }
 
+/// Which share of the opaque pixels was shaded, and which no low-rate sample fits.
+Point Contender::shading() const {
+  const passes::ShadingCounts& counts = result_.shading;
+  if (counts.pixels == 0) return nullptr;
+  const auto share = [&](std::uint64_t part) {
+    return static_cast<double>(part) / static_cast<double>(counts.pixels);
+  };
+  return {{"pixels", counts.pixels},
+          {"shaded", counts.shaded},
+          {"holes", counts.holes},
+          {"shaded_share", share(counts.shaded)},
+          {"holes_share", share(counts.holes)}};
+}
+
 void Contender::describe(Point& point) const {
   Point passes = Point::object();
   for (const PassSamples& pass : passes_) passes[pass.name] = experiment::spreadOf(pass.ms);
@@ -90,7 +107,9 @@ void Contender::describe(Point& point) const {
   point["rounds"] = totalMs_.size();
   point["ms"] = {{"total", experiment::spreadOf(totalMs_)},
                  {"transparency", experiment::spreadOf(transparencyMs_)},
+                 {"shading", experiment::spreadOf(shadingMs_)},
                  {"passes", passes}};
+  point["shading"] = shading();
   point["bytes"] = bytes();
   point["budget_used"] = orNull(budgetUsed());
   point["fragments"] = nullptr;
@@ -127,7 +146,10 @@ void describeImage(Point& point, const image::Image8& shown, const image::ImageF
   image::writePng(folder / difference, experiment::differenceMap(reference.shown, shown, scale));
   point["images"]["difference"] = difference;
   point["images"]["reference"] = reference.file;
-  point["error"] = measure::toJson(measure::compareImages(reference.display, display));
+  measure::CompareOptions viewer;
+  viewer.pixelsPerDegree = reference.pixelsPerDegree;
+  viewer.gaze = reference.gaze;
+  point["error"] = measure::toJson(measure::compareImages(reference.display, display, viewer));
 }
 
 }  // namespace macula::tools

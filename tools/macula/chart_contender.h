@@ -10,6 +10,7 @@
 #include "chart_settings.h"
 #include "engine/experiment/point.h"
 #include "engine/image/image.h"
+#include "engine/measure/flip.h"
 #include "passes/frame_renderer.h"
 
 namespace macula::tools {
@@ -28,6 +29,8 @@ struct Reference {
   image::Image8 shown;
   image::ImageF display;  ///< encoded, not rounded
   std::string file;       ///< "images/...", relative to the output folder
+  glm::dvec2 gaze{0.5};   ///< where the viewer looks, 0..1 from the top left
+  double pixelsPerDegree = measure::kDefaultPixelsPerDegree;
   std::uint64_t generated = 0;
 };
 
@@ -56,6 +59,7 @@ class Contender {
   };
   [[nodiscard]] experiment::Point bytes() const;
   [[nodiscard]] std::optional<double> budgetUsed() const;
+  [[nodiscard]] experiment::Point shading() const;
 
   std::unique_ptr<VariantSettings> settings_;
   const Stage& stage_;
@@ -63,6 +67,7 @@ class Contender {
   passes::FrameResult result_;
   std::vector<double> totalMs_;
   std::vector<double> transparencyMs_;
+  std::vector<double> shadingMs_;
   std::vector<PassSamples> passes_;
 };
 

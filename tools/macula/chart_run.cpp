@@ -103,7 +103,7 @@ class LoadedGroup {
 
   std::unique_ptr<Contender> makeReference() const {
     auto settings = makeSettings();
-    settings->registry.setText("oit.method", "ab-sbuffer", "reference");
+    settings->render = passes::referenceOf(settings->render);
     auto contender = std::make_unique<Contender>(std::move(settings), stage_);
     contender->draw(false);
     return contender;
@@ -115,6 +115,8 @@ class LoadedGroup {
       reference_.shown = contender->shown();
       reference_.display = contender->display();
       reference_.file = "images/" + group_.stem + "_reference.png";
+      reference_.gaze = stage_.gaze;
+      reference_.pixelsPerDegree = study_.pixelsPerDegree;
       if (const auto& fragments = contender->result().fragments) {
         reference_.generated = fragments->generated;
       }
@@ -139,7 +141,9 @@ class LoadedGroup {
 
   std::unique_ptr<Contender> makeContender(const PointPlan& plan) const {
     auto settings = makeSettings();
-    settings->applyVariant(run_.experiment, run_.experiment.variants[plan.variant]);
+    const experiment::Variant& variant = run_.experiment.variants[plan.variant];
+    settings->applyVariant(run_.experiment, variant);
+    if (plan.value) settings->applySweep(variant.sweep.value(), *plan.value);
     if (plan.budget) settings->applyBudget(*plan.budget, budgetBytes(*plan.budget));
     return std::make_unique<Contender>(std::move(settings), stage_);
   }

@@ -1,5 +1,7 @@
 #include "chart_settings.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "engine/core/error.h"
@@ -29,6 +31,18 @@ void checkScene(const std::string& scene, const experiment::Study& study) {
   }
 }
 
+/// All variants of a group share its loaded scene.
+void requireNoLoading(const VariantSettings& settings, const experiment::Variant& variant) {
+  for (const settings::Entry& entry : settings.registry.entries()) {
+    if (decidesLoading(entry.key()) && !entry.isDefault()) {
+      failInput(
+          "{}: {} decides what is loaded; give it under settings of the experiment or of "
+          "a [[study]]",
+          variant.place, entry.key());
+    }
+  }
+}
+
 }  // namespace
 
 VariantSettings::VariantSettings() {
@@ -55,6 +69,11 @@ void VariantSettings::applyVariant(const experiment::Experiment& experiment,
   }
 }
 
+void VariantSettings::applySweep(const experiment::Sweep& sweep, double value) {
+  // As text, because a whole number is taken for both kinds of numbers then.
+  registry.setText(sweep.setting, fmt::format("{}", value), sweep.place + ": sweep");
+}
+
 void VariantSettings::applyBudget(const experiment::Budget& budget, double bytes) {
   if (budget.kind == experiment::Budget::Kind::KAve) {
     registry.at("oit.kAve", "k_ave").set(budget.value, "k_ave");
@@ -78,13 +97,11 @@ void checkExperiment(const experiment::Experiment& experiment) {
   for (const experiment::Variant& variant : experiment.variants) {
     VariantSettings own;
     own.applyVariant(experiment, variant);
-    for (const settings::Entry& entry : own.registry.entries()) {
-      if (decidesLoading(entry.key()) && !entry.isDefault()) {
-        failInput(
-            "{}: {} decides what is loaded; give it under settings of the experiment or of "
-            "a [[study]]",
-            variant.place, entry.key());
-      }
+    requireNoLoading(own, variant);
+    if (!variant.sweep) continue;
+    for (const double value : variant.sweep->values) {
+      own.applySweep(*variant.sweep, value);
+      requireNoLoading(own, variant);
     }
   }
 }

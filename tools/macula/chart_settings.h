@@ -19,6 +19,9 @@ struct VariantSettings {
   /// @throws InputError naming file and line
   void applyGroup(const experiment::Experiment& experiment, const experiment::Group& group);
   void applyVariant(const experiment::Experiment& experiment, const experiment::Variant& variant);
+  /// @param value of the sweep
+  /// @throws InputError naming file and line
+  void applySweep(const experiment::Sweep& sweep, double value);
   /// @param bytes of the budget, where it is no k_ave
   void applyBudget(const experiment::Budget& budget, double bytes);
 

@@ -1,0 +1,12 @@
+// Reading what the results of an experiment are held against.
+#pragma once
+
+#include "engine/experiment/experiment.h"
+
+namespace macula::experiment {
+
+/// Reads a [[target]] of an experiment whose variants and studies are read.
+/// @throws InputError naming the place, see parseExperiment()
+[[nodiscard]] Target readTarget(const toml::table& table, const Experiment& experiment);
+
+}  // namespace macula::experiment
