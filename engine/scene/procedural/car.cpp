@@ -62,8 +62,8 @@ Scene makeCar(std::uint64_t seed) {
 
   Camera camera;
   camera.name = "scene";
-  camera.position = {3.35F, 1.62F, 4.05F};
-  camera.target = {0.15F, 0.56F, 0.0F};
+  camera.position = {3.55F, 1.68F, 4.25F};
+  camera.target = {0.22F, 0.56F, 0.0F};
   camera.verticalFov = 0.80F;  // 46 degrees: the car fills a square frame
   camera.farPlane = 40.0F;
   builder.camera(camera);
