@@ -83,6 +83,32 @@ scene::Scene grazing() {
   return std::move(builder).finish();
 }
 
+scene::Scene litCard() {
+  scene::SceneBuilder builder("lit card");
+  const std::int32_t plaster =
+      builder.material(scene::plainMaterial("plaster", {0.8F, 0.8F, 0.8F, 1.0F}, 1.0F));
+  scene::Primitive wall;
+  scene::addQuad(wall, {-3, 0, -5}, {3, 0, -5}, {3, 3, -5}, {-3, 3, -5});
+  builder.addOnce(std::move(wall), plaster);
+  scene::Primitive card;
+  scene::addBox(card, {-0.3F, 0.9F, -2.05F}, {0.3F, 1.5F, -2.0F});
+  builder.addOnce(std::move(card), plaster);
+  // The sun falls by 1 in 2: what it would light of the wall above y = 0.25 passes under z = 2.5
+  // at the roof's height, what it lights of the card does not.
+  scene::Primitive roof;
+  scene::addBox(roof, {-6, 4, -4.5F}, {6, 4.1F, 2.5F});
+  builder.addOnce(std::move(roof), plaster);
+  builder.light(scene::sun({0.0F, -0.5F, -1.0F}, {1.0F, 1.0F, 1.0F}, 3.0F));
+  builder.ambient({0.1F, 0.1F, 0.1F});
+  scene::Camera camera;
+  camera.position = {0.05F, 1.25F, 2.4F};
+  camera.target = {0.0F, 1.2F, -5.0F};
+  camera.verticalFov = 0.26F;
+  camera.farPlane = 20.0F;
+  builder.camera(camera);
+  return std::move(builder).finish();
+}
+
 passes::RenderSettings resized(double r, const std::string& what) {
   passes::RenderSettings settings = linearSettings("kb-variable");
   settings.lod.resize = r;

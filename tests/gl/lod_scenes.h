@@ -17,6 +17,10 @@ namespace macula::test {
 /// A floor that is seen at three degrees, with stripes of shadow on it.
 [[nodiscard]] scene::Scene grazing();
 
+/// A card in the sun before a wall in the shade of a roof that is out of view: the light on each is
+/// even, and ends at the card's silhouette.
+[[nodiscard]] scene::Scene litCard();
+
 /// still() with veins, occlusion and a wide shadow filter.
 [[nodiscard]] scene::Scene richStill();
 
