@@ -5,7 +5,10 @@ layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/viridis.glsl"
 #include "shared/bindings.h"
-#include "shared/lod_totals.h"
+#ifdef SOURCE_RATE
+#include "lib/frame.glsl"
+#include "lib/lod.glsl"
+#endif
 #include "shared/oit_constants.h"
 
 #if defined(SOURCE_INTEGER) || defined(SOURCE_RATE)
@@ -32,7 +35,7 @@ void main() {
   float value = float((slots & ~RANGE_TAIL) + ((slots & RANGE_TAIL) != 0u ? tailSlots : 0u));
 #elif defined(SOURCE_RATE)
   ivec2 tile = ivec2((vec2(p) + 0.5) * texelsOfPixel) >> LOD_TILE_SHIFT;
-  float value = float(1u << texelFetch(source, tile, 0).r);
+  float value = float(1 << levelAround(texelFetch(source, tile, 0).r, ivec2(0)));
 #else
   float value = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
 #endif

@@ -17,7 +17,7 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::BaseColor, "base colour", GL_SRGB8_ALPHA8, Display, B::GBuffer, C::Never},
     {R::Surface, "surface", GL_RGBA8, Display, B::GBuffer, C::Never},
     {R::Emissive, "emissive", GL_R11F_G11F_B10F, Display, B::GBuffer, C::Never},
-    {R::ShadingRate, "shading rate", GL_R8UI, Fixed, B::Other, C::Zero},
+    {R::ShadingRate, "shading rate", GL_R32UI, Fixed, B::Other, C::Zero},
     {R::LodTiles, "level-of-detail tiles", 0, Bytes, B::Other, C::Never},
     {R::LodTotals, "level-of-detail totals", 0, Bytes, B::Other, C::Zero},
     {R::LodSamples, "level-of-detail samples", GL_RGBA32UI, DisplayOverR, B::Other, C::Never},

@@ -17,7 +17,8 @@ enum class Resource : std::uint8_t {
   BaseColor,          ///< base colour (sRGB-encoded) and metallic
   Surface,            ///< roughness, occlusion, flags
   Emissive,           ///< linear emitted radiance
-  ShadingRate,        ///< per tile of the resized image: samples are 2^level texels apart
+  ShadingRate,        ///< levels of a tile of the resized image and its eight neighbours,
+                      ///< two bits each: samples are 2^level texels apart
   LodTiles,           ///< numbers of the tiles of each rate
   LodTotals,          ///< indirect dispatches and counts: see shaders/shared/lod_totals.h
   LodSamples,         ///< low-rate samples: what was shaded, distance, normal

@@ -12,6 +12,12 @@ ivec2 samplePixel(ivec2 cell, float pitch) {
 /// Cells of 2^level texels a side that cover L.
 ivec2 cellsOf(int level) { return (frame.lodSize.xy + (1 << level) - 1) >> level; }
 
+/// Level of a tile next to the one of which `around` was read, or of itself: two bits each.
+/// @param offset -1 to 1 tiles
+int levelAround(uint around, ivec2 offset) {
+  return int(around >> uint(2 * (offset.y * 3 + offset.x + 4))) & 3;
+}
+
 /// What one texel of L holds: rgb; 1 / distance along the view; normal.
 uvec4 packSample(vec3 value, float inverseDistance, vec3 normal) {
   return uvec4(packHalf2x16(value.rg), packHalf2x16(vec2(value.b, 0.0)),

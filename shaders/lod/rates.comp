@@ -6,7 +6,7 @@ layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 #include "lib/frame.glsl"
 #include "lib/lod.glsl"
 
-layout(r8ui, binding = IMG_0) writeonly uniform uimage2D shadingRate;
+layout(r32ui, binding = IMG_0) writeonly uniform uimage2D shadingRate;
 layout(std430, binding = SSBO_LOD_TILES) writeonly buffer Tiles { uint tiles[]; };
 layout(std430, binding = SSBO_LOD_TOTALS) buffer Totals { LodTotals totals; };
 
@@ -26,9 +26,7 @@ float allowedPitch(vec2 place) {
   return radians(mar) * frame.resize.z / frame.acuity.z;
 }
 
-void main() {
-  ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-  if (tile.x >= frame.lodSize.z || tile.y >= frame.lodSize.w) return;
+int levelOf(ivec2 tile) {
   vec2 low = vec2(tile * LOD_TILE) * frame.resize.x;
   vec2 high = low + float(LOD_TILE) * frame.resize.x;
   float allowed = allowedPitch(clamp(frame.gaze.xy, low, high));
@@ -36,7 +34,19 @@ void main() {
   while (float(2 << level) * frame.resize.x <= allowed && float(2 << level) <= frame.acuity.w) {
     ++level;
   }
-  imageStore(shadingRate, tile, uvec4(level));
+  return level;
+}
+
+void main() {
+  ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+  if (tile.x >= frame.lodSize.z || tile.y >= frame.lodSize.w) return;
+  uint around = 0u;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 other = clamp(tile + ivec2(i % 3, i / 3) - 1, ivec2(0), frame.lodSize.zw - 1);
+    around |= uint(levelOf(other)) << uint(2 * i);
+  }
+  imageStore(shadingRate, tile, uvec4(around));
+  int level = levelAround(around, ivec2(0));
   uint number = uint(tile.y * frame.lodSize.z + tile.x);
   uint entry = atomicAdd(totals.dispatches[level].w, 1u);
   tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;

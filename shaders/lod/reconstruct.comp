@@ -44,17 +44,13 @@ struct Taps {
   vec2 between;
 };
 
-#ifdef FOVEATED
-/// Samples are 2^level texels apart in the tile of this texel of L.
-int levelAt(ivec2 texel) {
-  return int(texelFetch(shadingRate, min(texel, frame.lodSize.xy - 1) >> LOD_TILE_SHIFT, 0).r);
-}
-#endif
-
 Taps tapsAround(ivec2 p) {
   int level = 0;
 #ifdef FOVEATED
-  level = levelAt(ivec2((vec2(p) + 0.5) * frame.resize.y));
+  // Samples are 2^level texels apart in a tile of L.
+  ivec2 tile = min(ivec2((vec2(p) + 0.5) * frame.resize.y), frame.lodSize.xy - 1) >> LOD_TILE_SHIFT;
+  uint around = texelFetch(shadingRate, tile, 0).r;
+  level = levelAround(around, ivec2(0));
 #endif
   float pitch = frame.resize.x * float(1 << level);
   ivec2 last = cellsOf(level) - 1;
@@ -75,7 +71,7 @@ Taps tapsAround(ivec2 p) {
 #ifdef FOVEATED
     // In the next tile, where samples may be denser or sparser: the cell around this place.
     ivec2 place = min(texel + (1 << level >> 1), frame.lodSize.xy - 1);
-    int there = levelAt(place);
+    int there = levelAround(around, (place >> LOD_TILE_SHIFT) - tile);
     cell = place >> there;
     texel = cell << there;
     taps.pixels[i] = samplePixel(cell, frame.resize.x * float(1 << there));

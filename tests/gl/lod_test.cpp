@@ -69,7 +69,8 @@ ReconstructionMirror mirrorOf(const Bench& bench) {
     const int row = (plan.size.x + LOD_TILE - 1) / LOD_TILE;
     for (int y = 0; y < plan.tiles.y; ++y) {
       for (int x = 0; x < plan.tiles.x; ++x) {
-        mirror.levels.push_back(static_cast<int>(all[static_cast<std::size_t>(y * row + x)]));
+        mirror.levels.push_back(
+            static_cast<int>(all[static_cast<std::size_t>(y * row + x)] >> 8U & 3U));
       }
     }
   }
