@@ -34,8 +34,8 @@ TEST(GltfExtras, ShadowTapsAreOddAndWithinTheirLimits) {
   EXPECT_EQ(tapsOf(-7), 1);
   EXPECT_EQ(tapsOf(16), kMostShadowTaps);
   EXPECT_EQ(tapsOf(1e300), kMostShadowTaps);
-  for (const json& value : {json("9"), json(true), json(nullptr), json::array({9}),
-                            json::object({{"taps", 9}})}) {
+  for (const json& value :
+       {json("9"), json(true), json(nullptr), json::array({9}), json::object({{"taps", 9}})}) {
     EXPECT_EQ(tapsOf(value), kUsualShadowTaps) << value;
   }
 }
@@ -95,8 +95,8 @@ TEST(GltfExtras, OnlySoManyMaterialsHaveVeins) {
   const Scene scene = veined(value, kMostVeins + 1);
   EXPECT_TRUE(scene.materials[kMostVeins - 1].veins.any());
   EXPECT_FALSE(scene.materials[kMostVeins].veins.any());
-  EXPECT_TRUE(warns(scene,
-                    "material 8: its veins are not drawn, because 8 materials before it have some"));
+  EXPECT_TRUE(
+      warns(scene, "material 8: its veins are not drawn, because 8 materials before it have some"));
 }
 
 TEST(GltfExtras, TransparentMaterialsHaveNoVeins) {

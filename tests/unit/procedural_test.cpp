@@ -310,7 +310,7 @@ TEST_P(Recipe, IsSoundAndRepeatable) {
 
 INSTANTIATE_TEST_SUITE_P(All, Recipe,
                          testing::Values("layers-5", "smoke", "bottles", "hair", "greenhouse",
-                                         "hairball", "gallery"),
+                                         "hairball", "gallery", "car", "marble", "chess"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -39,14 +39,13 @@ constexpr std::array kEdgeY{Key{-2.1F, 0.78F}, Key{-1.95F, 0.86F}, Key{-1.62F, 0
 constexpr std::array kEdgeZ{Key{-2.1F, 0.54F}, Key{-1.62F, 0.66F}, Key{-1.0F, 0.60F},
                             Key{-0.3F, 0.59F}, Key{0.12F, 0.60F},  Key{0.82F, 0.73F},
                             Key{1.4F, 0.69F},  Key{1.95F, 0.62F},  Key{2.1F, 0.50F}};
-constexpr std::array kRidgeY{Key{-2.1F, 0.80F}, Key{-1.95F, 0.88F}, Key{-1.66F, 0.95F},
+constexpr std::array kRidgeY{Key{-2.1F, 0.80F}, Key{-1.95F, 0.88F},  Key{-1.66F, 0.95F},
                              Key{-1.1F, 1.24F}, Key{-0.65F, 1.345F}, Key{-0.25F, 1.36F},
-                             Key{0.16F, 1.32F}, Key{0.86F, 0.945F}, Key{1.4F, 0.90F},
+                             Key{0.16F, 1.32F}, Key{0.86F, 0.945F},  Key{1.4F, 0.90F},
                              Key{1.95F, 0.79F}, Key{2.1F, 0.69F}};
 
 /// Shares of the livery at which the five lines lie, and where the steps between them are cut.
-constexpr std::array<float, 6> kShares{0.0F,        0.15F, kFlankShare, kWaistShare,
-                                       kRoofShare, 1.0F};
+constexpr std::array<float, 6> kShares{0.0F, 0.15F, kFlankShare, kWaistShare, kRoofShare, 1.0F};
 const std::vector<float>& steps(std::size_t segment) {
   static const std::array<std::vector<float>, 5> kSteps{
       {{0.0F, 0.33F, 0.67F},
@@ -110,8 +109,8 @@ glm::vec3 alongSection(const std::array<glm::vec3, 6>& s, std::size_t segment, f
 
 /// Where the stations stand along x: evenly, on the rims of the openings and of the windows.
 std::vector<float> stations() {
-  std::vector<float> xs{kDoorFront, kDoorBack, kDoorBack - 0.07F, 0.74F, 0.16F,
-                        -1.02F,     -1.14F,    -1.56F,            0.08F};
+  std::vector<float> xs{kDoorFront, kDoorBack, kDoorBack - 0.07F, 0.74F, 0.16F, -1.02F, -1.14F,
+                        -1.56F,     0.08F};
   constexpr int kEven = 44;
   for (int i = 0; i <= kEven; ++i) {
     xs.push_back(glm::mix(kTail, kNose, static_cast<float>(i) / kEven));
@@ -131,9 +130,9 @@ std::vector<float> stations() {
     }
   }
   std::sort(xs.begin(), xs.end());
-  xs.erase(std::unique(xs.begin(), xs.end(),
-                       [](float a, float b) { return std::abs(a - b) < 0.0015F; }),
-           xs.end());
+  xs.erase(
+      std::unique(xs.begin(), xs.end(), [](float a, float b) { return std::abs(a - b) < 0.0015F; }),
+      xs.end());
   return xs;
 }
 

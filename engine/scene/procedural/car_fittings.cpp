@@ -64,8 +64,7 @@ Primitive rim() {
                           kWheelSegments);
   for (int i = 0; i < kSpokes; ++i) {
     Primitive spoke;
-    addBevelledBox(spoke, {0.045F, 0.045F, -0.019F}, {kRimRadius - 0.02F, 0.075F, 0.019F},
-                   0.006F);
+    addBevelledBox(spoke, {0.045F, 0.045F, -0.019F}, {kRimRadius - 0.02F, 0.075F, 0.019F}, 0.006F);
     append(mesh, spoke, place({0, 0, 0}, static_cast<float>(i) / kSpokes));
   }
   append(mesh,
@@ -99,21 +98,25 @@ void addWheels(SceneBuilder& builder, const Palette& palette) {
                                                  {kRimRadius, 0.085F}},
                           kWheelSegments);
   addTread(tyre);
-  Primitive brake = turned(std::vector<glm::vec2>{{0.0F, 0.005F}, {0.15F, 0.005F}, {0.15F, 0.02F},
-                                                  {0.07F, 0.02F}, {0.07F, 0.03F}, {0.0F, 0.03F}},
+  Primitive brake = turned(std::vector<glm::vec2>{{0.0F, 0.005F},
+                                                  {0.15F, 0.005F},
+                                                  {0.15F, 0.02F},
+                                                  {0.07F, 0.02F},
+                                                  {0.07F, 0.03F},
+                                                  {0.0F, 0.03F}},
                            32);
   Primitive caliper;
   addBevelledBox(caliper, {0.09F, -0.02F, -0.06F}, {0.165F, 0.036F, 0.06F}, 0.012F);
   Primitive well;  // the dark inside of the wheel
-  addLathe(well, std::vector<glm::vec2>{{kRimRadius, -0.07F}, {kRimRadius - 0.04F, -0.07F},
-                                        {0.0F, -0.07F}},
-           24);
+  addLathe(
+      well,
+      std::vector<glm::vec2>{{kRimRadius, -0.07F}, {kRimRadius - 0.04F, -0.07F}, {0.0F, -0.07F}},
+      24);
   for (auto& normal : well.attributes) normal.normal = {0.0F, 1.0F, 0.0F};
-  const Model wheel{builder.shape(std::move(tyre), palette.rubber),
-                    builder.shape(rim(), palette.alloy),
-                    builder.shape(std::move(brake), palette.steel),
-                    builder.shape(std::move(caliper), palette.red),
-                    builder.shape(std::move(well), palette.dark)};
+  const Model wheel{
+      builder.shape(std::move(tyre), palette.rubber), builder.shape(rim(), palette.alloy),
+      builder.shape(std::move(brake), palette.steel),
+      builder.shape(std::move(caliper), palette.red), builder.shape(std::move(well), palette.dark)};
   for (const float x : {kFrontAxle, kRearAxle}) {
     for (const float side : {-1.0F, 1.0F}) {
       builder.add(wheel, lyingAlongZ({x, kWheelRadius, side * kTrack}, side));
@@ -170,9 +173,15 @@ void addBumpers(SceneBuilder& builder, const Palette& palette) {
   for (const float end : {-1.0F, 1.0F}) {
     // Around the corner and across, in one tube.
     std::vector<glm::vec3> path;
-    for (const glm::vec2& p :
-         {glm::vec2{1.80F, -0.87F}, {1.98F, -0.83F}, {2.12F, -0.72F}, {2.18F, -0.50F},
-          {2.20F, 0.0F}, {2.18F, 0.50F}, {2.12F, 0.72F}, {1.98F, 0.83F}, {1.80F, 0.87F}}) {
+    for (const glm::vec2& p : {glm::vec2{1.80F, -0.87F},
+                               {1.98F, -0.83F},
+                               {2.12F, -0.72F},
+                               {2.18F, -0.50F},
+                               {2.20F, 0.0F},
+                               {2.18F, 0.50F},
+                               {2.12F, 0.72F},
+                               {1.98F, 0.83F},
+                               {1.80F, 0.87F}}) {
       path.emplace_back(end * p.x, 0.345F, end * p.y);
     }
     const std::vector<float> radii(path.size(), 0.032F);
@@ -213,9 +222,9 @@ void addFittings(SceneBuilder& builder, const Palette& palette) {
     addTube(dark, std::vector<glm::vec3>{foot, head}, std::vector<float>{0.014F, 0.012F}, 8, false);
     Primitive shell;
     addSphere(shell, glm::vec3(0.0F), 1.0F, 20);
-    append(mirrors, shell,
-           glm::mat4({0.055F, 0, 0, 0}, {0, 0.062F, 0, 0}, {0, 0, 0.095F, 0},
-                     glm::vec4(head, 1.0F)));
+    append(
+        mirrors, shell,
+        glm::mat4({0.055F, 0, 0, 0}, {0, 0.062F, 0, 0}, {0, 0, 0.095F, 0}, glm::vec4(head, 1.0F)));
     // Rails along the waist and the gutter, and a wiper.
     std::vector<glm::vec3> rail;
     std::vector<glm::vec3> gutter;
@@ -231,11 +240,10 @@ void addFittings(SceneBuilder& builder, const Palette& palette) {
     const glm::vec3 lift{0.012F, 0.016F, 0.0F};
     const auto share = [](float across) { return kRoofShare + (1.0F - kRoofShare) * across; };
     addTube(dark,
-            std::vector<glm::vec3>{onBody(0.80F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.4F : 0.9F)),
-                                   onBody(0.60F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.65F : 0.75F)) +
-                                       lift,
-                                   onBody(0.40F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.85F : 0.6F)) +
-                                       lift},
+            std::vector<glm::vec3>{
+                onBody(0.80F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.4F : 0.9F)),
+                onBody(0.60F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.65F : 0.75F)) + lift,
+                onBody(0.40F, z < 0.0F ? -1.0F : 1.0F, share(z < 0 ? 0.85F : 0.6F)) + lift},
             std::vector<float>{0.008F, 0.007F, 0.006F}, 6, false);
   }
   // An aerial on the wing.

@@ -8,10 +8,10 @@
 
 namespace macula::scene::car {
 
-inline constexpr float kNose = 2.1F;         // metres, along x
-inline constexpr float kTail = -2.1F;        // metres
-inline constexpr float kFrontAxle = 1.32F;   // metres
-inline constexpr float kRearAxle = -1.28F;   // metres
+inline constexpr float kNose = 2.1F;          // metres, along x
+inline constexpr float kTail = -2.1F;         // metres
+inline constexpr float kFrontAxle = 1.32F;    // metres
+inline constexpr float kRearAxle = -1.28F;    // metres
 inline constexpr float kWheelRadius = 0.32F;  // metres, with the tyre
 inline constexpr float kArchRadius = 0.385F;  // of the openings in the body, metres
 inline constexpr float kSill = 0.23F;         // height of the body's lower edge, metres
@@ -26,8 +26,8 @@ inline constexpr float kRoofShare = 0.64F;   ///< and where they end and the roo
 
 /// Materials that several parts share.
 struct Palette {
-  std::int32_t paint, glass, rubber, chrome, steel, dark, alloy, lamp, amber, red, plate, cobbles, bricks,
-      stone, timber, bark, leaves;
+  std::int32_t paint, glass, rubber, chrome, steel, dark, alloy, lamp, amber, red, plate, cobbles,
+      bricks, stone, timber, bark, leaves;
 };
 
 [[nodiscard]] Palette makePalette(SceneBuilder& builder, std::uint64_t seed);

@@ -120,9 +120,9 @@ Image cobbles(int size, std::uint64_t seed) {
     const float fy = std::min(triangleWave(y + 0.8F * wave), 0.40F) / 0.40F;
     const float dome = fx * fy * (2.0F - fx * fy);
     const float tone = latticeValue(stone, row, key + 11);
-    const glm::vec3 warm = glm::mix(glm::vec3(0.44F, 0.42F, 0.41F), glm::vec3(0.66F, 0.60F, 0.53F),
-                                    tone) +
-                           0.16F * (fractal(u, v, 32, key + 3) - 0.5F);
+    const glm::vec3 warm =
+        glm::mix(glm::vec3(0.44F, 0.42F, 0.41F), glm::vec3(0.66F, 0.60F, 0.53F), tone) +
+        0.16F * (fractal(u, v, 32, key + 3) - 0.5F);
     return glm::vec4(glm::mix(glm::vec3(0.20F, 0.19F, 0.17F), warm, dome), 1.0F);
   });
 }

@@ -62,8 +62,7 @@ void addPergola(SceneBuilder& builder, const Palette& palette) {
   }
   for (int i = 0; i <= kRafters; ++i) {
     const float x = glm::mix(-kYard + 0.1F, kRight, static_cast<float>(i) / kRafters);
-    addBox(wood, {x - 0.03F, kTop + 0.16F, kBack - 0.3F},
-           {x + 0.03F, kTop + 0.26F, kFront + 0.3F});
+    addBox(wood, {x - 0.03F, kTop + 0.16F, kBack - 0.3F}, {x + 0.03F, kTop + 0.26F, kFront + 0.3F});
   }
   for (int i = 0; i <= kSlats; ++i) {
     const float z = glm::mix(kBack - 0.2F, kFront + 0.2F, static_cast<float>(i) / kSlats);
@@ -75,7 +74,7 @@ void addPergola(SceneBuilder& builder, const Palette& palette) {
 /// A branch that forks until its twigs carry leaves.
 class Tree {
  public:
-  Tree(std::uint64_t seed) : random_(seed, 31) {}
+  explicit Tree(std::uint64_t seed) : random_(seed, 31) {}
 
   void grow(const glm::vec3& foot, const glm::vec3& heading, float length, float radius,
             int forks) {
@@ -96,10 +95,10 @@ class Tree {
     const int children = forks > 2 ? 4 : 3;
     const float turn = random_.unit();
     for (int i = 0; i < children; ++i) {
-      const glm::vec2 around = onCircle(turn + static_cast<float>(i) / static_cast<float>(children));
-      const glm::vec3 side = glm::normalize(
-          glm::cross(direction, std::abs(direction.y) < 0.9F ? glm::vec3(0, 1, 0)
-                                                             : glm::vec3(1, 0, 0)));
+      const glm::vec2 around =
+          onCircle(turn + static_cast<float>(i) / static_cast<float>(children));
+      const glm::vec3 side = glm::normalize(glm::cross(
+          direction, std::abs(direction.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
       const glm::vec3 out = side * around.x + glm::cross(direction, side) * around.y;
       grow(path.back(), glm::normalize(direction + 0.85F * out + glm::vec3(0.0F, 0.12F, 0.0F)),
            length * random_.range(0.62F, 0.78F), radii.back() * 0.66F, forks - 1);
@@ -115,8 +114,8 @@ class Tree {
     for (int i = 0; i < kLeaves; ++i) {
       const float t = static_cast<float>(i) / kLeaves * static_cast<float>(path.size() - 1);
       const auto k = static_cast<std::size_t>(t);
-      const glm::vec3 foot = glm::mix(path[k], path[k + 1], t - static_cast<float>(k)) +
-                             0.05F * random_.inBall();
+      const glm::vec3 foot =
+          glm::mix(path[k], path[k + 1], t - static_cast<float>(k)) + 0.05F * random_.inBall();
       const float tone = random_.unit();
       const glm::vec4 color{glm::mix(0.045F, 0.20F, tone), glm::mix(0.13F, 0.28F, tone), 0.03F,
                             1.0F};

@@ -26,17 +26,17 @@ void addPlinth(SceneBuilder& builder) {
   const std::int32_t stone = builder.material(
       veined("plinth", {0.035F, 0.085F, 0.065F}, {0.52F, 0.60F, 0.50F}, 5.0F, 0.28F));
   const std::vector<glm::vec2> profile{
-      {0.86F, 0.0F},   {0.86F, 0.09F},  {0.84F, 0.105F}, {0.78F, 0.105F}, {0.78F, 0.14F},
-      {0.745F, 0.155F}, {0.715F, 0.18F}, {0.70F, 0.21F},  {0.61F, 0.215F}, {0.585F, 0.24F},
-      {0.58F, 0.275F}, {0.595F, 0.31F}, {0.63F, 0.33F},  {0.66F, 0.335F}, {0.67F, 0.35F},
-      {0.67F, 0.385F}, {0.655F, kPlinthTop}, {0.0F, kPlinthTop}};
+      {0.86F, 0.0F},    {0.86F, 0.09F},       {0.84F, 0.105F},   {0.78F, 0.105F}, {0.78F, 0.14F},
+      {0.745F, 0.155F}, {0.715F, 0.18F},      {0.70F, 0.21F},    {0.61F, 0.215F}, {0.585F, 0.24F},
+      {0.58F, 0.275F},  {0.595F, 0.31F},      {0.63F, 0.33F},    {0.66F, 0.335F}, {0.67F, 0.35F},
+      {0.67F, 0.385F},  {0.655F, kPlinthTop}, {0.0F, kPlinthTop}};
   Primitive mesh;
   addLathe(mesh, profile, 72);
   builder.addOnce(std::move(mesh), stone);
 
   // Beads around the neck of the plinth.
-  const std::int32_t gold = builder.material(plainMaterial("gilt", {0.62F, 0.40F, 0.12F, 1.0F},
-                                                           0.30F, 0.5F));
+  const std::int32_t gold =
+      builder.material(plainMaterial("gilt", {0.62F, 0.40F, 0.12F, 1.0F}, 0.30F, 0.5F));
   constexpr int kBeads = 40;
   Primitive bead;
   addSphere(bead, glm::vec3(0.0F), 0.026F, 8);
@@ -50,14 +50,14 @@ void addPlinth(SceneBuilder& builder) {
 /// A round room seen from within: its wall faces inwards, so that a camera outside looks through.
 void addRoom(SceneBuilder& builder, std::uint64_t seed) {
   (void)seed;
-  const std::int32_t floor = builder.material(
-      veined("floor", {0.30F, 0.27F, 0.24F}, {0.70F, 0.64F, 0.55F}, 2.5F, 0.35F));
-  const std::int32_t inlay = builder.material(
-      veined("inlay", {0.12F, 0.035F, 0.03F}, {0.55F, 0.36F, 0.28F}, 4.0F, 0.30F));
-  const std::int32_t wall = builder.material(
-      veined("wall", {0.42F, 0.38F, 0.33F}, {0.22F, 0.17F, 0.14F}, 1.4F, 0.6F));
-  const std::int32_t panel = builder.material(
-      veined("panel", {0.16F, 0.20F, 0.24F}, {0.46F, 0.50F, 0.52F}, 2.2F, 0.32F));
+  const std::int32_t floor =
+      builder.material(veined("floor", {0.30F, 0.27F, 0.24F}, {0.70F, 0.64F, 0.55F}, 2.5F, 0.35F));
+  const std::int32_t inlay =
+      builder.material(veined("inlay", {0.12F, 0.035F, 0.03F}, {0.55F, 0.36F, 0.28F}, 4.0F, 0.30F));
+  const std::int32_t wall =
+      builder.material(veined("wall", {0.42F, 0.38F, 0.33F}, {0.22F, 0.17F, 0.14F}, 1.4F, 0.6F));
+  const std::int32_t panel =
+      builder.material(veined("panel", {0.16F, 0.20F, 0.24F}, {0.46F, 0.50F, 0.52F}, 2.2F, 0.32F));
 
   const auto ring = [](float inner, float outer, float y) {
     Primitive mesh;
@@ -69,8 +69,10 @@ void addRoom(SceneBuilder& builder, std::uint64_t seed) {
   builder.addOnce(ring(1.32F, kRoomRadius, 0.0F), floor);
   Primitive around;
   addLathe(around,
-           std::vector<glm::vec2>{{kRoomRadius, kRoomHeight}, {kRoomRadius, 0.34F},
-                                  {kRoomRadius - 0.03F, 0.33F}, {kRoomRadius - 0.05F, 0.28F},
+           std::vector<glm::vec2>{{kRoomRadius, kRoomHeight},
+                                  {kRoomRadius, 0.34F},
+                                  {kRoomRadius - 0.03F, 0.33F},
+                                  {kRoomRadius - 0.05F, 0.28F},
                                   {kRoomRadius - 0.05F, 0.0F}},
            72);
   // Half columns between the panels, with a foot and a head.
@@ -82,12 +84,16 @@ void addRoom(SceneBuilder& builder, std::uint64_t seed) {
     append(around, column, place({c.x, 0.42F, c.y}));
     Primitive foot;
     addLathe(foot,
-             std::vector<glm::vec2>{{0.28F, 0.0F}, {0.28F, 0.34F}, {0.24F, 0.36F}, {0.245F, 0.40F},
-                                    {0.20F, 0.43F}},
+             std::vector<glm::vec2>{
+                 {0.28F, 0.0F}, {0.28F, 0.34F}, {0.24F, 0.36F}, {0.245F, 0.40F}, {0.20F, 0.43F}},
              14);
     addLathe(foot,
-             std::vector<glm::vec2>{{0.16F, 2.68F}, {0.20F, 2.72F}, {0.21F, 2.79F}, {0.28F, 2.85F},
-                                    {0.28F, 2.96F}, {0.0F, 2.96F}},
+             std::vector<glm::vec2>{{0.16F, 2.68F},
+                                    {0.20F, 2.72F},
+                                    {0.21F, 2.79F},
+                                    {0.28F, 2.85F},
+                                    {0.28F, 2.96F},
+                                    {0.0F, 2.96F}},
              14);
     append(around, foot, place({c.x, 0.0F, c.y}));
     // A panel between this column and the next, with a frame.
@@ -116,8 +122,8 @@ void addRoom(SceneBuilder& builder, std::uint64_t seed) {
 
 Scene makeMarble(std::uint64_t seed) {
   SceneBuilder builder("marble");
-  Material stone = marble::veined("dragon", {0.66F, 0.62F, 0.55F}, {0.10F, 0.14F, 0.13F}, 4.5F,
-                                  0.27F);
+  Material stone =
+      marble::veined("dragon", {0.66F, 0.62F, 0.55F}, {0.10F, 0.14F, 0.13F}, 4.5F, 0.27F);
   const std::int32_t body = builder.material(stone);
   // The same stone, seen from both sides where it is thin.
   stone.name = "wings";

@@ -21,24 +21,23 @@ struct Spine {
 };
 
 // From the tip of the tail, over the rim of the plinth, around it, and up to the head.
-constexpr std::array kSpine{
-    Spine{{0.60F, 0.17F, 0.50F}, 0.010F, {0.7F, 0.2F, 0.7F}},
-    Spine{{0.56F, 0.34F, 0.47F}, 0.022F, {0.7F, 0.2F, 0.7F}},
-    Spine{{0.40F, 0.45F, 0.42F}, 0.038F, {0.2F, 1.0F, 0.2F}},
-    Spine{{0.06F, 0.455F, 0.50F}, 0.050F, {0.0F, 1.0F, 0.1F}},
-    Spine{{-0.38F, 0.475F, 0.34F}, 0.066F, {0.0F, 1.0F, 0.0F}},
-    Spine{{-0.48F, 0.495F, -0.12F}, 0.084F, {0.0F, 1.0F, 0.0F}},
-    Spine{{-0.16F, 0.515F, -0.46F}, 0.102F, {0.0F, 1.0F, 0.0F}},
-    Spine{{0.30F, 0.540F, -0.34F}, 0.124F, {0.1F, 1.0F, 0.0F}},
-    Spine{{0.38F, 0.600F, 0.03F}, 0.146F, {0.4F, 0.9F, 0.0F}},
-    Spine{{0.15F, 0.730F, 0.17F}, 0.160F, {0.5F, 0.8F, -0.4F}},
-    Spine{{-0.10F, 0.920F, 0.08F}, 0.166F, {0.3F, 0.3F, -1.0F}},
-    Spine{{-0.15F, 1.120F, -0.06F}, 0.150F, {0.0F, 0.2F, -1.0F}},
-    Spine{{-0.03F, 1.310F, -0.11F}, 0.112F, {-0.1F, 0.4F, -1.0F}},
-    Spine{{0.10F, 1.470F, -0.02F}, 0.086F, {0.1F, 0.8F, -0.8F}},
-    Spine{{0.11F, 1.575F, 0.13F}, 0.072F, {0.0F, 1.0F, -0.4F}},
-    Spine{{0.04F, 1.590F, 0.29F}, 0.066F, {0.0F, 1.0F, 0.0F}},
-    Spine{{-0.02F, 1.560F, 0.40F}, 0.058F, {0.0F, 1.0F, 0.2F}}};
+constexpr std::array kSpine{Spine{{0.60F, 0.17F, 0.50F}, 0.010F, {0.7F, 0.2F, 0.7F}},
+                            Spine{{0.56F, 0.34F, 0.47F}, 0.022F, {0.7F, 0.2F, 0.7F}},
+                            Spine{{0.40F, 0.45F, 0.42F}, 0.038F, {0.2F, 1.0F, 0.2F}},
+                            Spine{{0.06F, 0.455F, 0.50F}, 0.050F, {0.0F, 1.0F, 0.1F}},
+                            Spine{{-0.38F, 0.475F, 0.34F}, 0.066F, {0.0F, 1.0F, 0.0F}},
+                            Spine{{-0.48F, 0.495F, -0.12F}, 0.084F, {0.0F, 1.0F, 0.0F}},
+                            Spine{{-0.16F, 0.515F, -0.46F}, 0.102F, {0.0F, 1.0F, 0.0F}},
+                            Spine{{0.30F, 0.540F, -0.34F}, 0.124F, {0.1F, 1.0F, 0.0F}},
+                            Spine{{0.38F, 0.600F, 0.03F}, 0.146F, {0.4F, 0.9F, 0.0F}},
+                            Spine{{0.15F, 0.730F, 0.17F}, 0.160F, {0.5F, 0.8F, -0.4F}},
+                            Spine{{-0.10F, 0.920F, 0.08F}, 0.166F, {0.3F, 0.3F, -1.0F}},
+                            Spine{{-0.15F, 1.120F, -0.06F}, 0.150F, {0.0F, 0.2F, -1.0F}},
+                            Spine{{-0.03F, 1.310F, -0.11F}, 0.112F, {-0.1F, 0.4F, -1.0F}},
+                            Spine{{0.10F, 1.470F, -0.02F}, 0.086F, {0.1F, 0.8F, -0.8F}},
+                            Spine{{0.11F, 1.575F, 0.13F}, 0.072F, {0.0F, 1.0F, -0.4F}},
+                            Spine{{0.04F, 1.590F, 0.29F}, 0.066F, {0.0F, 1.0F, 0.0F}},
+                            Spine{{-0.02F, 1.560F, 0.40F}, 0.058F, {0.0F, 1.0F, 0.2F}}};
 
 constexpr int kRings = 250;
 constexpr int kAround = 26;
@@ -64,8 +63,8 @@ Ring ringAt(float s) {
   constexpr float kStep = 0.002F;  // of the whole, for the direction
   Ring ring{};
   ring.at = spineAt(s);
-  ring.along = glm::normalize(spineAt(std::min(s + kStep, 1.0F)) -
-                              spineAt(std::max(s - kStep, 0.0F)));
+  ring.along =
+      glm::normalize(spineAt(std::min(s + kStep, 1.0F)) - spineAt(std::max(s - kStep, 0.0F)));
   ring.radius = glm::mix(kSpine[i].radius, kSpine[i + 1].radius, t * t * (3.0F - 2.0F * t));
   const glm::vec3 hint = glm::mix(kSpine[i].back, kSpine[i + 1].back, t);
   ring.back = glm::normalize(hint - ring.along * glm::dot(hint, ring.along));

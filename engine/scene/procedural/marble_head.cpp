@@ -90,8 +90,8 @@ void addHorns(Primitive& mesh) {
     addSpike(mesh, at(0.06F, -0.05F, 0.04F), at(0.105F, -0.07F, -0.01F), at(0.14F, -0.07F, -0.08F),
              0.017F, 8);
     // Brow and nostril.
-    addSpike(mesh, at(0.045F, 0.075F, 0.175F), at(0.078F, 0.098F, 0.11F),
-             at(0.098F, 0.12F, 0.03F), 0.017F, 8);
+    addSpike(mesh, at(0.045F, 0.075F, 0.175F), at(0.078F, 0.098F, 0.11F), at(0.098F, 0.12F, 0.03F),
+             0.017F, 8);
     addSphere(mesh, at(0.027F, 0.044F, 0.352F), 0.020F, 10);
     // Whiskers beside the mouth.
     addTube(mesh,
@@ -118,7 +118,8 @@ void addHead(Primitive& stone, Primitive& eyes, const glm::mat4& frame) {
   addHorns(head);
   append(stone, head, frame);
   Primitive pair;
-  for (const float side : {-1.0F, 1.0F}) addSphere(pair, {side * 0.068F, 0.052F, 0.148F}, 0.021F, 16);
+  for (const float side : {-1.0F, 1.0F})
+    addSphere(pair, {side * 0.068F, 0.052F, 0.148F}, 0.021F, 16);
   append(eyes, pair, frame);
 }
 

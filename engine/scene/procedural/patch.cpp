@@ -52,9 +52,9 @@ glm::vec3 facing(const Patch& patch, const std::array<std::size_t, 3>& triangle)
 
 std::vector<glm::vec3> normalsOf(const Patch& patch) {
   const int last = patch.columns() - 1;
-  std::vector<glm::vec3> sums(static_cast<std::size_t>(patch.rows()) *
-                                  static_cast<std::size_t>(patch.columns()),
-                              glm::vec3(0.0F));
+  std::vector<glm::vec3> sums(
+      static_cast<std::size_t>(patch.rows()) * static_cast<std::size_t>(patch.columns()),
+      glm::vec3(0.0F));
   for (int i = 0; i + 1 < patch.rows(); ++i) {
     for (int j = 0; j < last; ++j) {
       for (const auto& triangle : trianglesOf(patch, i, j)) {

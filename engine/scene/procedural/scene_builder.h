@@ -54,6 +54,7 @@ class SceneBuilder {
   void light(const Light& light) { scene_.lights.push_back(light); }
   void camera(const Camera& camera) { scene_.cameras.push_back(camera); }
   void ambient(const glm::vec3& radiance) { scene_.ambient = radiance; }
+  void occlusion(const AmbientOcclusion& occlusion) { scene_.occlusion = occlusion; }
 
   [[nodiscard]] const Primitive& mesh(std::uint32_t shape) const {
     return scene_.primitives[shape];
