@@ -62,7 +62,7 @@ bool needsFactors(const std::string& name) {
 
 double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) {
   if (needsFactors(settings.map)) return 1.0;
-  if (settings.map == kRateMap) return 1 << (LOD_RATES - 1);
+  if (settings.map == kRateMap) return LOD_RATES - 1;
   if (settings.range > 0.0) return settings.range;
   constexpr double kLeast = 4.0;  // so that a picture of one layer is not all hot
   if (settings.map == "k") return std::max(kLeast, static_cast<double>(plan.largestLayers));

@@ -40,7 +40,7 @@ class HeatmapPass final : public frame::Pass {
 [[nodiscard]] std::vector<std::string> heatmapNames();
 /// Whether a map shows a factor of the importance, which is then kept for it.
 [[nodiscard]] bool needsFactors(const std::string& map);
-/// Value of the hottest colour: counts and k by the setting, factors 1, pitches of shading 8.
+/// Value of the hottest colour: counts and k by the setting, factors 1, log2 of pitches of shading 3.
 [[nodiscard]] double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan);
 
 }  // namespace macula::passes

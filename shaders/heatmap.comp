@@ -35,7 +35,7 @@ void main() {
   float value = float((slots & ~RANGE_TAIL) + ((slots & RANGE_TAIL) != 0u ? tailSlots : 0u));
 #elif defined(SOURCE_RATE)
   ivec2 tile = ivec2((vec2(p) + 0.5) * texelsOfPixel) >> LOD_TILE_SHIFT;
-  float value = float(1 << levelAround(texelFetch(source, tile, 0).r, ivec2(0)));
+  float value = float(levelAround(texelFetch(source, tile, 0).r, ivec2(0)));
 #else
   float value = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
 #endif
@@ -44,7 +44,8 @@ void main() {
   float grey = dot(image, vec3(0.2126, 0.7152, 0.0722));
   vec3 color = value > 0.0 ? viridis(value / range) : vec3(0.35 * grey);
 #ifdef SOURCE_RATE
-  color *= 0.4 + 0.6 * grey;  // every pixel has a rate: without this nothing would be recognised
+  // Every pixel has a rate: without the image's light and dark nothing would be recognised.
+  color = viridis(value / range) * (0.45 + 0.55 * sqrt(grey));
 #endif
   imageStore(displayColor, p, vec4(color, 1.0));
 }

@@ -54,10 +54,9 @@ Taps tapsAround(ivec2 p) {
 #endif
   float pitch = frame.resize.x * float(1 << level);
   ivec2 last = cellsOf(level) - 1;
+  // Samples lie at pixels, up to half a pixel off the even grid. The cell whose middle is at most the
+  // pixel's has its sample at or before it; the next one has its at or behind it.
   ivec2 low = ivec2(floor((vec2(p) + 0.5) / pitch - 0.5));
-  // Samples lie at pixels, up to half a pixel off the even grid.
-  low += ivec2(lessThanEqual(samplePixel(low + 1, pitch), p));
-  low -= ivec2(greaterThan(samplePixel(low, pitch), p));
   ivec2 high = min(low + 1, last);
   low = clamp(low, ivec2(0), last);
   ivec2 from = samplePixel(low, pitch);
@@ -113,13 +112,13 @@ vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
   return fit;
 }
 #else
-/// Distance from the tangent plane that is as good as another surface, in full-rate pixels a pixel
-/// between the sample and the pixel.
-const float kPlaneTolerance = 0.35;
+/// Distance from the tangent plane at which a sample fits half as well, in pixels a pixel between
+/// the two.
+const float kPlaneTolerance = 0.1;
 /// The same that is always allowed: rounding of depth and normal.
-const float kPlaneSlack = 0.5;
+const float kPlaneSlack = 0.25;
 /// By how much the cosine between normals may fall short of 1 likewise.
-const float kNormalTolerance = 0.03;
+const float kNormalTolerance = 0.015;
 
 vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
   vec2 step = 2.0 * frame.size.zw;
@@ -128,15 +127,15 @@ vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
   vec2 gradient = vec2(dot(normal, frame.right.xyz) * step.x, dot(normal, frame.up.xyz) * step.y);
   float facing = dot(normal, frame.ahead.xyz) + dot(normal, frame.right.xyz) * ndc.x +
                  dot(normal, frame.up.xyz) * ndc.y;
-  // Of a pixel at distance 1.
-  float pixelSize = length(frame.up.xyz) * step.y;
+  float pixels = 1.0 / (length(frame.up.xyz) * step.y);  // that span a unit at distance 1
+  float distance = 1.0 / inverseDistance;
   vec4 fit;
   for (int i = 0; i < 4; ++i) {
     uvec4 texel = taps.texels[i];
     vec2 offset = vec2(taps.pixels[i] - p);
-    float tapInverse = uintBitsToFloat(texel.z);
-    float away = abs((facing + dot(gradient, offset)) * (inverseDistance / max(tapInverse, 1e-12)) -
-                     facing) / pixelSize;
+    // In pixels at the sample's distance.
+    float away = pixels * abs(facing + dot(gradient, offset) -
+                              facing * distance * uintBitsToFloat(texel.z));
     vec2 reach = abs(offset);
     float plane = away / (kPlaneSlack + kPlaneTolerance * max(reach.x, reach.y));
     float bend = (1.0 - dot(normal, unpackSnorm4x8(texel.w).xyz)) / kNormalTolerance;

@@ -72,8 +72,10 @@ std::array<ReconstructionMirror::Tap, 4> ReconstructionMirror::tapsAround(glm::i
   glm::dvec2 between{0.0};
   for (int axis = 0; axis < 2; ++axis) {
     // The last sample at or before the pixel.
-    while (low[axis] + 1 < cells[axis] && samplePixel(low[axis] + 1, pitch, size[axis]) <= p[axis])
+    while (low[axis] + 1 < cells[axis] &&
+           samplePixel(low[axis] + 1, pitch, size[axis]) <= p[axis]) {
       ++low[axis];
+    }
     high[axis] = std::min(low[axis] + 1, cells[axis] - 1);
     from[axis] = samplePixel(low[axis], pitch, size[axis]);
     to[axis] = samplePixel(high[axis], pitch, size[axis]);
@@ -119,14 +121,14 @@ double ReconstructionMirror::fitOf(const Tap& tap, glm::ivec2 p) const {
     const double z = std::abs(1.0 / own - 1.0 / tap.sample.inverseDistance) * own;
     return std::exp(-0.5 * (squared(across / sigmaNormal) + squared(z / sigmaDepth)));
   }
-  // Distance of the tap's point from the tangent plane over what a pixel spans at the own point.
+  // Distance of the tap's point from the tangent plane over what a pixel spans there.
   const glm::dvec3 point = rayThrough(p) / own;
   const glm::dvec3 other = rayThrough(tap.pixel) / tap.sample.inverseDistance;
-  const double pixelSpan = 2.0 / static_cast<double>(view.projection[1][1]) / size.y / own;
+  const double pixelSpan = 2.0 / static_cast<double>(view.projection[1][1]) / size.y / tap.sample.inverseDistance;
   const glm::ivec2 offset = glm::abs(tap.pixel - p);
   const double reach = std::max(offset.x, offset.y);
-  const double plane = std::abs(glm::dot(n, other - point)) / pixelSpan / (0.5 + 0.35 * reach);
-  const double bend = (1.0 - glm::dot(n, tap.sample.normal)) / 0.03;
+  const double plane = std::abs(glm::dot(n, other - point)) / pixelSpan / (0.25 + 0.1 * reach);
+  const double bend = (1.0 - glm::dot(n, tap.sample.normal)) / 0.015;
   return 1.0 / squared(1.0 + squared(plane) + squared(bend));
 }
 

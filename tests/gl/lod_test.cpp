@@ -125,9 +125,10 @@ TEST(LodMirror, WeighsByHand) {
   mirror.normal.assign(16, {0, 0, 1});
   mirror.filter = passes::Reconstruction::Bilinear;
   EXPECT_NEAR(mirror.pixel({2, 2}).value.y, 0.5, 1e-6);
-  // Fit of the right ones: plane = 1 / (0.5 + 0.35), miss = 1 + 1.384, fit = 0.1760.
+  // The right ones lie 0.4142 behind, 0.8284 of what a pixel spans there: plane = 0.8284 / 0.35,
+  // miss = 1 + 5.602, fit = 0.02294.
   mirror.filter = passes::Reconstruction::Macula;
-  EXPECT_NEAR(mirror.pixel({2, 2}).value.y, 0.1760 / 1.1760, 2e-4);
+  EXPECT_NEAR(mirror.pixel({2, 2}).value.y, 0.02294 / 1.02294, 1e-5);
   EXPECT_NEAR(mirror.pixel({2, 2}).best, 1.0, 1e-6);
   // Yang: relative depth difference span / (2 + span)... over sigma, as a Gaussian.
   mirror.filter = passes::Reconstruction::Yang2008;

@@ -27,7 +27,7 @@ constexpr std::array kMapWords{
     MapWords{"periphery", "periphery factor, Eq. 4", false},
     MapWords{"depth-factor", "depth complexity factor, Eq. 3", false},
     MapWords{"fresnel", "Fresnel factor, Eq. 5", false},
-    MapWords{"shading-rate", "pixels a side that share a sample of the shading", false},
+    MapWords{"shading-rate", "log2 of the texels a side that share a sample of the shading", false},
 };
 
 void drawHeatmapLegend(const PanelInput& input) {
