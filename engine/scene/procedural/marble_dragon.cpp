@@ -1,6 +1,7 @@
 // Body, limbs and wings of the dragon.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
