@@ -1,5 +1,5 @@
 // Wheels, lamps, grille, bumpers and the rest that is fixed to the body.
-#include <array>
+#include <span>
 #include <utility>
 #include <vector>
 

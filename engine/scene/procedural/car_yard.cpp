@@ -1,4 +1,5 @@
 // Where the car stands: a paved yard, a lattice roof over half of it, a tree.
+#include <cmath>
 #include <utility>
 #include <vector>
 

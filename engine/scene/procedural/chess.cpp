@@ -102,7 +102,7 @@ void addBoard(SceneBuilder& builder, std::uint64_t seed) {
   builder.addOnce(std::move(edge), frame);
 }
 
-/// A table of boards, a folded newspaper's worth of books and a clock at the side.
+/// A table of boards, a pile of books and a clock at the side.
 void addTable(SceneBuilder& builder, std::uint64_t seed) {
   constexpr float kTop = -kThickness - 0.008F;
   Material wood = plainMaterial("table", glm::vec4(1.0F), 0.5F);

@@ -16,12 +16,12 @@ inline constexpr float kBorder = 0.035F;  // of the frame around the squares, me
 enum class Kind : std::uint8_t { Pawn, Rook, Knight, Bishop, Queen, King };
 inline constexpr std::size_t kKinds = 6;
 
-/// One piece about the y axis, its foot at y = 0, felt included; it looks towards -z.
+/// One piece about the y axis, its foot at y = 0; it looks towards -z.
 /// @param seed varies the knight's mane a little
 void addPiece(Primitive& mesh, Kind kind, std::uint64_t seed);
 
-/// Board of `squares` x `squares` fields with grain, light and dark in turn; the border around them
-/// takes the share of the image that it has of the board.
+/// The board from above: 8 x 8 squares with grain, light and dark in turn, and the border around
+/// them in its share of the side.
 [[nodiscard]] Image boardImage(int size, std::uint64_t seed);
 
 }  // namespace macula::scene::chess

@@ -1,6 +1,7 @@
 // Staunton pieces: lathes, and what is carved on top of them.
+#include <algorithm>
 #include <array>
-#include <span>
+#include <initializer_list>
 #include <vector>
 
 #include "engine/scene/procedural/chess_parts.h"

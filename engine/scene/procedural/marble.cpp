@@ -48,8 +48,7 @@ void addPlinth(SceneBuilder& builder) {
 }
 
 /// A round room seen from within: its wall faces inwards, so that a camera outside looks through.
-void addRoom(SceneBuilder& builder, std::uint64_t seed) {
-  (void)seed;
+void addRoom(SceneBuilder& builder) {
   const std::int32_t floor =
       builder.material(veined("floor", {0.30F, 0.27F, 0.24F}, {0.70F, 0.64F, 0.55F}, 2.5F, 0.35F));
   const std::int32_t inlay =
@@ -144,7 +143,7 @@ Scene makeMarble(std::uint64_t seed) {
                   builder.material(marble::veined("ball", {0.10F, 0.16F, 0.34F},
                                                   {0.75F, 0.66F, 0.40F}, 9.0F, 0.25F)));
   marble::addPlinth(builder);
-  marble::addRoom(builder, seed);
+  marble::addRoom(builder);
 
   builder.light(sun({-0.42F, -0.78F, -0.55F}, {1.0F, 0.95F, 0.86F}, 2.6F));
   builder.light(pointLight({-2.0F, 2.3F, 1.9F}, {0.62F, 0.78F, 1.0F}, 5.0F, 9.0F));

@@ -1,6 +1,7 @@
 // Body, limbs and wings of the dragon.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -244,17 +245,17 @@ void addDragon(Primitive& stone, Primitive& wings, std::uint64_t seed) {
              ball + glm::vec3(side * 0.23F, -0.02F, -0.18F),
              ball + glm::vec3(side * 0.20F, -0.07F, -0.06F),
              ball + glm::vec3(side * 0.105F, -0.03F, 0.03F)},
-            0.062F, {-side * 0.45F, 0.0F, 0.75F}, {0.0F, 1.2F, 0.0F});
+            0.070F, {-side * 0.45F, 0.0F, 0.75F}, {0.0F, 1.2F, 0.0F});
   }
   // A hind leg on either side of the haunches.
   addLimb(stone,
-          {glm::vec3(0.40F, 0.62F, 0.10F), glm::vec3(0.58F, 0.74F, 0.20F),
-           glm::vec3(0.50F, 0.55F, 0.17F), glm::vec3(0.47F, kPlinthTop + 0.05F, 0.22F)},
-          0.085F, {0.35F, -0.1F, 0.9F}, {1.0F, 0.0F, -0.4F});
+          {glm::vec3(0.40F, 0.62F, 0.10F), glm::vec3(0.60F, 0.665F, 0.20F),
+           glm::vec3(0.655F, 0.50F, 0.27F), glm::vec3(0.50F, kPlinthTop + 0.05F, 0.34F)},
+          0.068F, {0.35F, -0.1F, 0.9F}, {1.0F, 0.0F, -0.4F});
   addLimb(stone,
-          {glm::vec3(0.18F, 0.55F, -0.22F), glm::vec3(0.04F, 0.66F, -0.12F),
-           glm::vec3(-0.05F, 0.52F, 0.0F), glm::vec3(-0.12F, kPlinthTop + 0.05F, 0.12F)},
-          0.080F, {-0.35F, -0.1F, 0.9F}, {1.0F, 0.0F, 0.4F});
+          {glm::vec3(0.18F, 0.55F, -0.22F), glm::vec3(0.04F, 0.63F, -0.12F),
+           glm::vec3(-0.07F, 0.53F, 0.0F), glm::vec3(-0.12F, kPlinthTop + 0.05F, 0.12F)},
+          0.074F, {-0.35F, -0.1F, 0.9F}, {1.0F, 0.0F, 0.4F});
 }
 
 }  // namespace macula::scene::marble

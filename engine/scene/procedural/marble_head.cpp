@@ -1,5 +1,7 @@
 // The dragon's head, in its own frame: x to its left, y up, z forward, the neck ends at 0.
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/scene/procedural/circle.h"

@@ -13,6 +13,9 @@ namespace {
 // Of a triangle's doubled area in square metres: thinner ones have no direction of their own.
 constexpr float kLeastArea = 1e-9F;
 
+// Between a triangle and the normals of its corners: beyond 87 degrees it is a crease and is flat.
+constexpr float kLeastCosine = 0.05F;
+
 /// The two triangles of a cell as indices into the patch.
 std::array<std::array<std::size_t, 3>, 2> trianglesOf(const Patch& patch, int row, int column) {
   const std::size_t a = patch.index(row, column);
@@ -92,10 +95,19 @@ void addPatch(Primitive& mesh, const Patch& patch, const ChooseCell& choose) {
     for (int j = 0; j + 1 < patch.columns(); ++j) {
       if (choose && !choose(i, j)) continue;
       for (const auto& triangle : trianglesOf(patch, i, j)) {
-        if (glm::length(facing(patch, triangle)) < kLeastArea) continue;
+        const glm::vec3 face = facing(patch, triangle);
+        if (glm::length(face) < kLeastArea) continue;
+        const bool creased = std::any_of(triangle.begin(), triangle.end(), [&](std::size_t k) {
+          return glm::dot(face, normals[k]) < kLeastCosine * glm::length(face);
+        });
         for (const std::size_t corner : triangle) {
+          const PatchPoint& point = pointOf(patch, corner);
+          if (creased) {
+            mesh.indices.push_back(
+                addVertex(mesh, point.position, glm::normalize(face), point.uv, point.color));
+            continue;
+          }
           if (vertexOf[corner] == kUnused) {
-            const PatchPoint& point = pointOf(patch, corner);
             vertexOf[corner] =
                 addVertex(mesh, point.position, normals[corner], point.uv, point.color);
           }

@@ -48,7 +48,8 @@ using ChooseCell = std::function<bool(int row, int column)>;
 
 /// Appends a patch with smooth normals: the sum of the adjoining triangles' by area. Where the last
 /// column lies on the first one, and where all points of an end row coincide, the seam is smooth
-/// too. Triangles without area are left out.
+/// too. Triangles that stand across the normals of their corners are flat; those without area are
+/// left out.
 /// @param choose cells to append, all where it is empty; the normals are those of the whole patch
 void addPatch(Primitive& mesh, const Patch& patch, const ChooseCell& choose = {});
 
