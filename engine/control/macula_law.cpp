@@ -24,10 +24,14 @@ constexpr int kSilentFrames = 30;
 constexpr double kEffectShare = 0.06;
 /// Changes are forgotten in some 50 of them.
 constexpr double kEffectMemory = 0.98;
-/// Of the change that the model expects, what must be seen, by as many standard deviations: 1 in
-/// 700 series of pure noise says less.
+/// Of the change that the model expects, what must be seen, by as many standard deviations: it is
+/// asked again and again, and one wrong answer ends the control.
 constexpr double kLeastEffect = 0.5;
-constexpr double kEffectSpreads = 3.0;
+constexpr double kEffectSpreads = 4.0;
+/// Changes after each of which it is found so before the control is switched off.
+constexpr int kIneffective = 3;
+/// Times are thought to spread by this much at least: their spread is learned while it is asked.
+constexpr double kLeastSpread = 0.03;
 /// A change counts as no more than so many times the expected one: a hitch beside a change of r
 /// would outweigh all others.
 constexpr double kMostEffect = 3.0;
@@ -48,10 +52,11 @@ void MaculaLaw::watchEffect(const FrameTimes& times) {
     expectedSquares_ = kEffectMemory * expectedSquares_ + expected * expected;
     seenProducts_ = kEffectMemory * seenProducts_ + seen * expected;
     // Of a difference of two times.
-    const double deviation = std::numbers::sqrt2 * total_.relativeSpread() * times.totalMs;
-    ineffective_ =
-        ineffective_ || seenProducts_ + kEffectSpreads * deviation * std::sqrt(expectedSquares_) <
-                            kLeastEffect * expectedSquares_;
+    const double spread = std::max(total_.relativeSpread(), kLeastSpread);
+    const double deviation = std::numbers::sqrt2 * spread * times.totalMs;
+    const bool none = seenProducts_ + kEffectSpreads * deviation * std::sqrt(expectedSquares_) <
+                      kLeastEffect * expectedSquares_;
+    ineffective_ = none ? ineffective_ + 1 : 0;
   }
   watched_ = times;
 }
@@ -86,7 +91,7 @@ double MaculaLaw::next(const FrameTimes* newest, double resize) {
     lastFrame_ = newest->frame;
     learn(*newest);
   }
-  if (ineffective_) {
+  if (ineffective_ >= kIneffective) {
     trouble_ = Trouble::NoEffect;
     return resize;
   }

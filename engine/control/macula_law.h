@@ -42,7 +42,7 @@ class MaculaLaw final : public Law {
   FrameTimes watched_;            ///< the newest frame whose times are known
   double expectedSquares_ = 0.0;  ///< of changes of the time with r, as modelled, ms^2
   double seenProducts_ = 0.0;     ///< modelled times seen changes, ms^2
-  bool ineffective_ = false;
+  int ineffective_ = 0;           ///< changes in a row after which no effect was found
   Trouble trouble_ = Trouble::None;
 };
 

@@ -145,7 +145,6 @@ void Session::draw(const recording::Frame& frame) {
   painter_->readBack();
   record.index = static_cast<int>(frame.index);
   record.timeSeconds = frame.timeSeconds;
-  record.resizeFactor = result.resizeFactor;
   record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
   compareHash(frame, result, record.imageSha256);
   if (!options_.images.empty()) {
