@@ -27,9 +27,9 @@ constexpr double kEffectMemory = 0.98;
 /// Of the change that the model expects, what must be seen, by as many standard deviations: it is
 /// asked again and again, and one wrong answer ends the control.
 constexpr double kLeastEffect = 0.5;
-constexpr double kEffectSpreads = 4.0;
+constexpr double kEffectSpreads = 6.0;
 /// Changes after each of which it is found so before the control is switched off.
-constexpr int kIneffective = 3;
+constexpr int kIneffective = 2;
 /// Times are thought to spread by this much at least: their spread is learned while it is asked.
 constexpr double kLeastSpread = 0.03;
 /// A change counts as no more than so many times the expected one: a hitch beside a change of r

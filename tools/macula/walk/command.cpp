@@ -18,6 +18,7 @@ void addWalk(CLI::App& root) {
   o->scene = scene::kDefaultScene;
   passes::registerSettings(o->registry, o->settings);
   gaze::registerSettings(o->registry, o->gazeSettings);
+  control::registerSettings(o->registry, o->control);
   CLI::App* command = root.add_subcommand("walk", "Walk through a scene in a window");
   command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name (default gallery)");
   command->add_option("--size", o->size, "Of the window (default 1280x720)")
