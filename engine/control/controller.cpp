@@ -116,7 +116,7 @@ std::string Controller::notice() const {
   if (steps_.exhausted()) {
     return fmt::format(
         "the target of {:.4g} ms is out of reach: {:.4g} ms with every lever at its end",
-        made_.targetMs, steps_.medianMs());
+        made_.targetMs, steps_.leastMs());
   }
   if (trouble == Trouble::CpuBound) return noticeOf(trouble);
   if (steps_.engaged()) {

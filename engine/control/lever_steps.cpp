@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace macula::control {
 namespace {
@@ -67,9 +68,10 @@ void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& w
   if (engaged() && steps_.back().gain == 0.0) {
     steps_.back().gain = std::clamp(steps_.back().beforeMs / medianMs_, 1.0, kMostGain);
   }
-  exhausted_ = false;
+  const bool before = std::exchange(exhausted_, false);
   if (medianMs_ > kLate * targetMs) {
     exhausted_ = !take(frame, work);
+    if (exhausted_ && !before) leastMs_ = medianMs_;
   } else if (engaged() && medianMs_ * steps_.back().gain < kRoom * targetMs) {
     steps_.pop_back();
     forgetTimes(frame);

@@ -35,8 +35,8 @@ class LeverSteps {
   [[nodiscard]] bool engaged() const { return !steps_.empty(); }
   /// The last decision found the time over the target and no lever left.
   [[nodiscard]] bool exhausted() const { return exhausted_; }
-  /// Median of the frames that the last decision was about, ms; 0 before the first.
-  [[nodiscard]] double medianMs() const { return medianMs_; }
+  /// Where exhausted(): the median time when it was first found so, ms.
+  [[nodiscard]] double leastMs() const { return leastMs_; }
   /// Writes the slow levers' places.
   void apply(LeverValues& values) const;
 
@@ -54,6 +54,7 @@ class LeverSteps {
   std::size_t count_ = 0;    ///< times so far, of which the last kWait are kept
   std::uint64_t since_ = 0;  ///< first frame that the present levers were used for
   double medianMs_ = 0.0;
+  double leastMs_ = 0.0;
   bool exhausted_ = false;
 };
 

@@ -162,6 +162,11 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
         "load {}: full rate {:.2f} ms; at r: {:.2f} / r^2 + {:.2f} ms; least {:.2f}", load.times,
         load.fullRateMs, load.model.workMs, load.model.restMs, load.leastMs);
     text += fmt::format(" ms; ideal r {:.2f}\n", load.model.idealResize);
+    if (record.targetMs < load.leastMs) {
+      text += fmt::format(
+          "  r alone does not reach {:.2f} ms; with this load it holds {:.2f} to {:.2f}\n",
+          record.targetMs, load.leastMs, load.fullRateMs);
+    }
   }
   text += fmt::format("target {:.2f} ms by {}: median {:.2f}, p95 {:.2f}, p99 {:.2f} ms\n",
                       record.targetMs, options.control.law, m.p50Ms, m.p95Ms, m.p99Ms);

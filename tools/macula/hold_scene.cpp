@@ -66,7 +66,7 @@ std::vector<control::HeldFrame> drawStill(passes::FrameRenderer& renderer, const
 /// Measures each load; the target may follow from the first.
 void measureLoads(HoldRecord& record, const HoldOptions& options, const Stage& stage,
                   passes::FrameRenderer& renderer) {
-  std::vector<int> different{1};
+  std::vector<int> different{loadAt(record.steps, 0)};
   for (const LoadStep& step : record.steps) {
     if (std::ranges::find(different, step.times) == different.end()) {
       different.push_back(step.times);

@@ -18,7 +18,6 @@ void addWalk(CLI::App& root) {
   o->scene = scene::kDefaultScene;
   passes::registerSettings(o->registry, o->settings);
   gaze::registerSettings(o->registry, o->gazeSettings);
-  control::registerSettings(o->registry, o->control);
   CLI::App* command = root.add_subcommand("walk", "Walk through a scene in a window");
   command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name (default gallery)");
   command->add_option("--size", o->size, "Of the window (default 1280x720)")
@@ -63,6 +62,7 @@ void addWalk(CLI::App& root) {
       ->type_name("X,Y")
       ->allow_extra_args(false);  // a scene may follow
   addJsonOption(*command, o->json);
+  control::registerSettings(o->registry, o->control);
   settings::addOptions(*command, o->registry);
   command->callback([o, command] {
     settings::applyOptions(*command, o->registry);
