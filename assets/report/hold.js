@@ -32,8 +32,8 @@ function fillHeader() {
     element('span', {class: gate.met ? 'met' : gate.met === null ? '' : 'missed'}, word + ': '), why);
 }
 
-// Vertical marks where the load changes, on every chart.
-function drawSteps(plot) {
+// Vertical marks where the load changes, on every chart; on the first with words.
+function drawSteps(plot, named) {
   const context = plot.ctx;
   context.save();
   context.strokeStyle = context.fillStyle = cssColour('--soft');
@@ -46,6 +46,7 @@ function drawSteps(plot) {
     context.moveTo(x, plot.bbox.top);
     context.lineTo(x, plot.bbox.top + plot.bbox.height);
     context.stroke();
+    if (!named) continue;
     const text = `shaded ${loadName(step.times)}`;
     const right = x + 6 + context.measureText(text).width > plot.bbox.left + plot.bbox.width;
     context.textAlign = right ? 'right' : 'left';
@@ -75,6 +76,7 @@ function key(text, colour, style = 'solid') {
 
 // A chart over the frames. lines: {name, values, colour, width, dash, digits}
 function chart(title, label, height, range, lines, keys, drawBehind = []) {
+  const named = document.getElementById('charts').childElementCount === 0;
   const figure = element('figure', {}, element('figcaption', {}, title), element('div', {class: 'keys'}, ...keys));
   document.getElementById('charts').append(figure);
   const axis = (name, size) => ({
@@ -88,7 +90,7 @@ function chart(title, label, height, range, lines, keys, drawBehind = []) {
     legend: {live: true},
     scales: {x: {time: false}, y: {range: () => range}},
     axes: [axis('frame', 34), axis(label, 56)],
-    hooks: {drawClear: drawBehind, draw: [drawSteps]},
+    hooks: {drawClear: drawBehind, draw: [self => drawSteps(self, named)]},
     series: [{label: 'frame'}, ...lines.map(line => ({
       label: line.name, stroke: line.colour, width: line.width ?? 1.5, dash: line.dash, points: {show: false},
       paths: line.stepped ? uPlot.paths.stepped({align: 1}) : undefined,
@@ -156,11 +158,11 @@ function fillTables() {
       element('td', {}, notice.text || 'nothing any more')));
   }
   if (data.notices.length === 0) {
-    notices.append(element('tr', {}, element('td', {}, 'Nothing: r alone held the target.')));
+    notices.append(element('tr', {}, element('td', {}, 'Nothing: r alone was moved.')));
   }
   fill('parts', ['frames', 'shading', 'K', 'C', 'ideal r', 'time at the ideal', 'settled after', 'pixels of the ideal'],
     data.parts.map(p => [`${p.begin} to ${p.end - 1}`, loadName(p.load), ms(p.work_ms), ms(p.rest_ms), shown(p.ideal_r),
-      ms(p.reachable_ms), p.settle_frames === null ? 'never' : `${p.settle_frames} frames`, percent(p.used_pixels)]));
+      ms(p.reachable_ms), p.settle_frames === null ? 'never' : p.settle_frames === 1 ? '1 frame' : `${p.settle_frames} frames`, percent(p.used_pixels)]));
   fill('loads', ['shading', 'full rate', 'K', 'C at r = 2', 'least', 'ideal r'],
     data.loads.map(l => [loadName(l.times), ms(l.full_rate_ms), ms(l.work_ms), ms(l.rest_ms), ms(l.least_ms),
       shown(l.ideal_r)]));

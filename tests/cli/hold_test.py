@@ -16,7 +16,8 @@ import tempfile
 
 MACULA = sys.argv[1]
 SOURCE = os.environ["MACULA_SOURCE"]
-SMALL = ("--frames", "40", "--size", "64x36", "--warmup", "2")
+SMALL = ("--size", "64x36", "--warmup", "2")
+SHORT = (*SMALL, "--frames", "40")
 
 
 def hold(folder, *options, status=0):
@@ -67,7 +68,7 @@ def check_example(folder):
 
 def check_easy(folder):
     """What full rate meets leaves every lever at rest, and is met."""
-    results = json.loads(hold(folder, "smoke", "--target-ms", "9000", "--load", "none", *SMALL,
+    results = json.loads(hold(folder, "smoke", "--target-ms", "9000", "--load", "none", *SHORT,
                               "--json", "-", "--out", "easy").stdout)
     assert results["gate"]["met"] is True and len(results["parts"]) == 1, results["gate"]
     assert results["steps"] == [] and results["held"]["over_102_share"] == 0
@@ -88,12 +89,12 @@ def check_hopeless(folder):
 
 
 def check_off(folder):
-    results = json.loads(hold(folder, "smoke", "--law", "off", *SMALL, "--json", "-").stdout)
+    results = json.loads(hold(folder, "smoke", "--law", "off", *SHORT, "--json", "-").stdout)
     assert results["gate"]["met"] is None and results["notices"] == []
 
 
 def check_share(folder):
-    results = json.loads(hold(folder, "smoke", "--target-share", "0.5", "--load", "0:3", *SMALL,
+    results = json.loads(hold(folder, "smoke", "--target-share", "0.5", "--load", "0:3", *SHORT,
                               "--json", "-").stdout)
     assert results["loads"][0]["times"] == 3 and len(results["loads"]) == 1
     assert abs(results["target_ms"] / results["loads"][0]["full_rate_ms"] - 0.5) < 1e-9

@@ -171,12 +171,12 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
   text += fmt::format("target {:.2f} ms by {}: median {:.2f}, p95 {:.2f}, p99 {:.2f} ms\n",
                       record.targetMs, options.control.law, m.p50Ms, m.p95Ms, m.p99Ms);
   for (const control::HoldPart& part : m.parts) {
-    text +=
-        fmt::format("frames {} to {}, load {}: {}; {:.1f} % of the ideal's pixels\n", part.begin,
-                    part.end - 1, record.frames[part.begin].load,
-                    part.settleFrames ? fmt::format("settled after {} frames", *part.settleFrames)
-                                      : std::string("never settled"),
-                    kPercent * part.usedPixels);
+    text += fmt::format("frames {} to {}, load {}: {}; {:.1f} % of the ideal's pixels\n",
+                        part.begin, part.end - 1, record.frames[part.begin].load,
+                        part.settleFrames
+                            ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
+                            : std::string("never settled"),
+                        kPercent * part.usedPixels);
   }
   text += fmt::format("over 1.02 T {:.1f} %, over 1.1 T {:.1f} %, at most {} in a row\n",
                       kPercent * m.over102, kPercent * m.over110, m.longestOver);
