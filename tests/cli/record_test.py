@@ -331,7 +331,7 @@ def check_control(folder):
     record = os.path.join(folder, "controlled")
     script = os.path.join(folder, "control.txt")
     with open(script, "w", encoding="utf-8") as f:
-        f.write("3 set control.fixedR=2.3\n5 set control.law=off\n")
+        f.write("1 set control.fixedR=2.3\n4 set control.law=off\n")
     walk = Walk(record, "gallery", "--size", "96x64", "--frames", "7", "--no-panels",
                 "--script", script, "--law", "fixed", "--control.fixedR", "1.37")
     assert walk.process.wait() == 0, walk.process.stderr.read()
