@@ -30,6 +30,23 @@ constexpr std::array<Row, 7> kLaws{{{"macula", make<MaculaLaw>},
 
 }  // namespace
 
+std::string noticeOf(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::NoTimes:
+      return "control waits: no frame times arrive";
+    case Trouble::NoEffect:
+      return "control is off: frame times do not follow the resize factor, so the clock measures "
+             "something else (a vsync, the CPU)";
+    case Trouble::CpuBound:
+      return "the CPU needs longer than the target; a lower resolution does not help";
+    case Trouble::Unreachable:
+      return "the target is out of reach at the largest resize factor";
+    case Trouble::None:
+      break;
+  }
+  return {};
+}
+
 std::vector<std::string> lawNames() {
   std::vector<std::string> names;
   for (const Row& row : kLaws) names.emplace_back(row.name);

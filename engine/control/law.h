@@ -15,6 +15,10 @@ namespace macula::control {
 inline constexpr double kLeastResize = 1.0;
 inline constexpr double kMostResize = 8.0;
 
+/// The headroom below the target is no more than what is missing to 1: times that spread by 5 % and
+/// more would else cost more pixels than their late frames are worth, and lie outside of +-5 %.
+inline constexpr double kLeastAim = 0.96;
+
 /// What is known of a frame that has been drawn.
 struct FrameTimes {
   std::uint64_t frame = 0;  ///< its index
@@ -27,6 +31,18 @@ struct FrameTimes {
   /// From the last swap to this one; nothing without a window.
   std::optional<double> intervalMs;
 };
+
+/// Why a law does nothing at present.
+enum class Trouble {
+  None,
+  NoTimes,      ///< none have come for some time
+  NoEffect,     ///< times do not follow r: the clock measures something else; it stays so
+  CpuBound,     ///< the CPU alone needs longer than the target
+  Unreachable,  ///< r is at its end, and the time still over the target
+};
+
+/// One line; empty for Trouble::None.
+[[nodiscard]] std::string noticeOf(Trouble trouble);
 
 /// Chooses the resize factor frame by frame. Each frame asks once, with the times that arrived
 /// since the last question: usually those of one frame some frames ago, at times of none or of
@@ -43,8 +59,17 @@ class Law {
   /// @returns r for the next frame, kLeastResize to kMostResize
   [[nodiscard]] virtual double next(const FrameTimes* newest, double resize) = 0;
 
+  /// The image has another size: costs are to be thought of as `ratio` times what they were.
+  /// @param ratio of the pixel numbers, after over before; > 0
+  /// @returns false where the law cannot, and has to be made anew
+  virtual bool scalePixels(double ratio) {
+    static_cast<void>(ratio);
+    return false;
+  }
+
+  [[nodiscard]] virtual Trouble trouble() const { return Trouble::None; }
   /// One line on why the law does nothing at present; empty where it works.
-  [[nodiscard]] virtual std::string notice() const { return {}; }
+  [[nodiscard]] std::string notice() const { return noticeOf(trouble()); }
 };
 
 /// What every law is made from.
@@ -53,8 +78,11 @@ struct LawOptions {
   /// K' of Yang 2008, Eq. 3: ms of the resizable work at r = 1, "experimentally determined using a
   /// scene with the expected workload". Used by yang2008 alone.
   double expectedWorkMs = 20.0;
-  double fixedResize = 1.0;  ///< of the law `fixed`
-  double resizeStep = 0.0;   ///< r comes in multiples of it; 0: as it is
+  double fixedResize = 1.0;         ///< of the law `fixed`
+  double resizeStep = 0.0;          ///< r comes in multiples of it; 0: as it is
+  double mostResize = kMostResize;  ///< r never goes beyond
+  /// Share of the target that `macula` aims at, at the least, however far times spread.
+  double leastAim = kLeastAim;
 };
 
 /// The names that makeLaw() knows: fixed, yang2008, macula, and the laws of others for comparison.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace macula::control {
 namespace {
@@ -21,23 +22,41 @@ constexpr double kMostGrowth = 1.08;
 constexpr int kSilentFrames = 30;
 /// A change of 1/r^2 by this share must show in the times.
 constexpr double kEffectShare = 0.06;
-/// As many changes without effect switch the control off.
-constexpr int kIneffective = 3;
-/// Of the change that the model expects, what must be seen.
-constexpr double kLeastEffect = 0.1;
+/// Changes are forgotten in some 50 of them.
+constexpr double kEffectMemory = 0.98;
+/// Of the change that the model expects, what must be seen, by as many standard deviations: it is
+/// asked again and again, and one wrong answer ends the control.
+constexpr double kLeastEffect = 0.5;
+constexpr double kEffectSpreads = 6.0;
+/// Changes after each of which it is found so before the control is switched off.
+constexpr int kIneffective = 2;
+/// Times are thought to spread by this much at least: their spread is learned while it is asked.
+constexpr double kLeastSpread = 0.03;
+/// A change counts as no more than so many times the expected one: a hitch beside a change of r
+/// would outweigh all others.
+constexpr double kMostEffect = 3.0;
 
 }  // namespace
 
-/// Judges by jumps of r from one frame to the next: over longer times the load may change as well,
-/// and good control keeps the time where it is.
+/// The slope of seen over expected changes, by least squares through the origin, judged by jumps of
+/// r from one frame to the next: over longer times the load may change as well, and good control
+/// keeps the time where it is.
 void MaculaLaw::watchEffect(const FrameTimes& times) {
   const double pixels = 1.0 / (times.resize * times.resize);
   const double before = 1.0 / (watched_.resize * watched_.resize);
   const bool neighbours = watched_.totalMs > 0.0 && times.frame == watched_.frame + 1;
   if (neighbours && std::abs(pixels - before) >= kEffectShare * std::max(pixels, before)) {
     const double expected = work_.level() * (pixels - before);
-    const double seen = times.totalMs - watched_.totalMs;
-    ineffective_ = seen * expected < kLeastEffect * expected * expected ? ineffective_ + 1 : 0;
+    const double most = kMostEffect * std::abs(expected);
+    const double seen = std::clamp(times.totalMs - watched_.totalMs, -most, most);
+    expectedSquares_ = kEffectMemory * expectedSquares_ + expected * expected;
+    seenProducts_ = kEffectMemory * seenProducts_ + seen * expected;
+    // Of a difference of two times.
+    const double spread = std::max(total_.relativeSpread(), kLeastSpread);
+    const double deviation = std::numbers::sqrt2 * spread * times.totalMs;
+    const bool none = seenProducts_ + kEffectSpreads * deviation * std::sqrt(expectedSquares_) <
+                      kLeastEffect * expectedSquares_;
+    ineffective_ = none ? ineffective_ + 1 : 0;
   }
   watched_ = times;
 }
@@ -56,12 +75,11 @@ void MaculaLaw::learn(const FrameTimes& times) {
 }
 
 double MaculaLaw::wanted() const {
-  const double aim =
-      targetMs_ *
-      std::min(kHighestAim, kTolerance / (1.0 + kHeadroomSpreads * total_.relativeSpread()));
+  const double calm = kTolerance / (1.0 + kHeadroomSpreads * total_.relativeSpread());
+  const double aim = targetMs_ * std::clamp(calm, leastAim_, kHighestAim);
   const double forWork = aim - fixed_.level();
-  if (forWork <= 0.0) return kMostResize;
-  return std::clamp(std::sqrt(work_.level() / forWork), kLeastResize, kMostResize);
+  if (forWork <= 0.0) return mostResize_;
+  return std::clamp(std::sqrt(work_.level() / forWork), kLeastResize, mostResize_);
 }
 
 double MaculaLaw::next(const FrameTimes* newest, double resize) {
@@ -83,33 +101,25 @@ double MaculaLaw::next(const FrameTimes* newest, double resize) {
   }
   const double goal = wanted();
   const bool cpuBound = fresh && newest->cpuMs.value_or(0.0) > targetMs_;
-  trouble_ = goal >= kMostResize ? Trouble::Unreachable
-             : cpuBound          ? Trouble::CpuBound
-                                 : Trouble::None;
+  const bool late = work_.level() / (goal * goal) + fixed_.level() > kTolerance * targetMs_;
+  trouble_ = goal >= mostResize_ && late ? Trouble::Unreachable
+             : cpuBound                  ? Trouble::CpuBound
+                                         : Trouble::None;
   if (std::abs(goal - resize) <= kDeadBand * resize && goal > kLeastResize) return resize;
   const double leastNow = std::max(resize / std::sqrt(kMostGrowth), kLeastResize);
   const double chosen = std::max(goal, leastNow);
   if (step_ <= 0.0) return chosen;
   // Where r comes in steps, the next one up: the one below would be late in every frame.
   constexpr double kRounding = 1e-9;
-  return std::min(std::ceil(chosen / step_ - kRounding) * step_, kMostResize);
+  return std::min(std::ceil(chosen / step_ - kRounding) * step_, mostResize_);
 }
 
-std::string MaculaLaw::notice() const {
-  switch (trouble_) {
-    case Trouble::NoTimes:
-      return "control waits: no frame times arrive";
-    case Trouble::NoEffect:
-      return "control is off: frame times do not follow the resize factor, so the clock measures "
-             "something else (a vsync, the CPU)";
-    case Trouble::CpuBound:
-      return "the CPU needs longer than the target; a lower resolution does not help";
-    case Trouble::Unreachable:
-      return "the target is out of reach at the largest resize factor";
-    case Trouble::None:
-      break;
-  }
-  return {};
+bool MaculaLaw::scalePixels(double ratio) {
+  // Not all of the rest follows the pixels; two frames of the new size put that right.
+  work_.scale(ratio);
+  fixed_.scale(ratio);
+  watched_ = {};
+  return true;
 }
 
 }  // namespace macula::control

@@ -26,7 +26,7 @@ class Dice {
 };
 
 double idealResize(const Load& load, double targetMs) {
-  const double forWork = targetMs - load.fixedMs;
+  const double forWork = targetMs - load.fixedMs - load.layersMs;
   if (forWork <= 0.0) return kMostResize;
   return std::clamp(std::sqrt(load.workMs / forWork), kLeastResize, kMostResize);
 }
@@ -68,7 +68,8 @@ class Clock {
 
 }  // namespace
 
-PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::uint32_t seed) {
+PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targetMs,
+                  std::uint32_t seed) {
   PlantRun run;
   run.frames.reserve(static_cast<std::size_t>(plantCase.frames));
   Dice dice(seed);
@@ -78,11 +79,13 @@ PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::ui
   for (int frame = 0; frame < plantCase.frames; ++frame) {
     const std::optional<FrameTimes> newest = pipe.front();
     pipe.pop_front();
-    resize = law.next(newest ? &*newest : nullptr, resize);
+    LeverValues levers = choose(newest ? &*newest : nullptr, resize, frame);
+    resize = levers[Lever::Resize];
     if (plantCase.resizeStep > 0.0) {
       resize =
           std::max(std::round(resize / plantCase.resizeStep) * plantCase.resizeStep, kLeastResize);
     }
+    levers[Lever::Resize] = resize;
     const Load load = plantCase.load(frame);
     const double factor = 1.0 + plantCase.noise * dice.normal();
     const double spike = dice.happens(plantCase.spikeShare)
@@ -91,10 +94,11 @@ PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::ui
     const bool hitch =
         plantCase.hitchMs > 0.0 && frame == (plantCase.steadyFrom + plantCase.frames) / 2;
     const double late = spike + (hitch ? plantCase.hitchMs : 0.0);
-    const double work = load.workMs / (resize * resize) * factor;
+    const double work = load.workOf(levers) * factor;
     PlantFrame drawn;
     drawn.resize = resize;
-    drawn.trueMs = load.milliseconds(resize);
+    drawn.levers = levers;
+    drawn.trueMs = load.milliseconds(levers);
     drawn.spentMs = drawn.trueMs * factor + late;
     drawn.idealResize = idealResize(load, targetMs);
     run.frames.push_back(drawn);
@@ -102,6 +106,16 @@ PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::ui
     const FrameTimes times = clock.measure(frame, resize, work, drawn.spentMs);
     pipe.push_back(dice.happens(plantCase.lostShare) ? std::nullopt : std::optional(times));
   }
+  return run;
+}
+
+PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::uint32_t seed) {
+  const Chooser choose = [&](const FrameTimes* newest, double resize, int) {
+    LeverValues levers;
+    levers[Lever::Resize] = law.next(newest, resize);
+    return levers;
+  };
+  PlantRun run = runPlant(choose, plantCase, targetMs, seed);
   run.notice = law.notice();
   return run;
 }

@@ -9,16 +9,33 @@
 #include <vector>
 
 #include "engine/control/law.h"
+#include "engine/control/levers.h"
 
 namespace macula::control {
 
-/// What a frame really costs, before any noise: t = work / r^2 + fixed.
+/// What a frame really costs, before any noise: t = work / r^2 + fixed, and the parts that other
+/// levers reach.
 struct Load {
   double workMs = 20.0;
   double fixedMs = 3.0;
+  double layersMs = 0.0;       ///< of transparent surfaces: in proportion to the layers' share
+  double foveatedShare = 0.0;  ///< of the work: in proportion to 1 / slope^2
 
+  [[nodiscard]] double workOf(const LeverValues& levers) const {
+    const double slope = levers[Lever::FoveaSlope];
+    const double resize = levers[Lever::Resize];
+    return workMs * (1.0 - foveatedShare + foveatedShare / (slope * slope)) / (resize * resize);
+  }
+  [[nodiscard]] double milliseconds(const LeverValues& levers) const {
+    return workOf(levers) + layersMs * levers[Lever::LayerShare] + fixedMs;
+  }
   [[nodiscard]] double milliseconds(double resize) const {
-    return workMs / (resize * resize) + fixedMs;
+    LeverValues levers;
+    levers[Lever::Resize] = resize;
+    return milliseconds(levers);
+  }
+  [[nodiscard]] LeverWork levers() const {
+    return {.resize = workMs > 0.0, .fovea = foveatedShare > 0.0, .layers = layersMs > 0.0};
   }
 };
 
@@ -54,6 +71,7 @@ struct PlantCase {
 /// A frame of a run.
 struct PlantFrame {
   double resize = 1.0;
+  LeverValues levers;
   double trueMs = 0.0;       ///< without noise
   double spentMs = 0.0;      ///< with noise and spikes
   double idealResize = 1.0;  ///< that meets the target exactly, 1 to 8
@@ -63,6 +81,13 @@ struct PlantRun {
   std::vector<PlantFrame> frames;
   std::string notice;  ///< of the law after the last frame
 };
+
+/// Chooses the levers of a frame as Controller::next() does.
+using Chooser = std::function<LeverValues(const FrameTimes* newest, double resize, int frame)>;
+
+/// The same for anything that chooses levers; gives no notice.
+[[nodiscard]] PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targetMs,
+                                std::uint32_t seed);
 
 /// Runs a law on a case. The same arguments give the same run.
 [[nodiscard]] PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs,

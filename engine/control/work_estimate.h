@@ -13,6 +13,12 @@ class WorkEstimate {
   /// @param value > 0
   Outcome observe(double value);
 
+  /// All values to come are `factor` times as large. @param factor > 0
+  void scale(double factor) {
+    level_ *= factor;
+    suspected_ = false;
+  }
+
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] double level() const { return level_; }
   /// Standard deviation of the values over the level, without outliers.

@@ -10,6 +10,7 @@ import json
 import os
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -313,10 +314,44 @@ def check_scene_change(folder):
     with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
         check_equal(json.load(f), len(frames))
 
-    frames[6]["r"] = 1.5
-    write()
-    message = replay(records[0], out, status=2)
-    assert "line 7: shading at r = 1.5" in message, message
+    for change, words in (({"r": 9}, "line 7: 'r' is 9; give 1 to 8"),
+                          ({"levers": {"fovea_slop": 1.5}}, "'fovea_slop' is not known; the nearest"),
+                          ({"levers": {"layer_share": 0}}, "line 7: the lever 'layer_share' is 0"),
+                          ({"levers": {"resize": "nan"}}, "line 7: the lever 'resize' is nan")):
+        before = dict(frames[6])
+        frames[6].update(change)
+        write()
+        message = replay(records[0], out, status=2)
+        assert words in message, message
+        frames[6] = before
+
+
+def check_control(folder):
+    """Levers as they were used are in the file, and their replay gives the same images."""
+    record = os.path.join(folder, "controlled")
+    script = os.path.join(folder, "control.txt")
+    with open(script, "w", encoding="utf-8") as f:
+        f.write("1 set control.fixedR=2.3\n4 set control.law=off\n")
+    walk = Walk(record, "gallery", "--size", "96x64", "--frames", "7", "--no-panels",
+                "--script", script, "--law", "fixed", "--control.fixedR", "1.37")
+    assert walk.process.wait() == 0, walk.process.stderr.read()
+    frames = [json.loads(line) for line in lines_of(os.path.join(record, "frames.jsonl"))]
+    levers = [frame.get("levers") for frame in frames]
+
+    def single(value):  # as a renderer has it
+        return struct.unpack("f", struct.pack("f", value))[0]
+
+    first, second = {"resize": single(1.37)}, {"resize": single(2.3)}
+    assert levers[0] == first and second in levers and levers[-1] is None, levers
+    assert all(lever in (first, second, None) for lever in levers), levers
+    assert all(1 <= frame["r"] <= 2.4 for frame in frames), frames
+    resets = [frame["reset"] for frame in frames if frame["index"] > 0]
+    assert set(resets) == {"none"}, "control gives up no history"
+    out = os.path.join(folder, "out")
+    report = replay(record, out)
+    check_equal(report, len(frames))
+    used = [frame["r"] for frame in report["frames"]]
+    assert used == [frame["r"] for frame in frames], used
 
 
 def main():
@@ -329,6 +364,7 @@ def main():
         check_refusals(folder, record)
         check_scene_file(folder)
         check_scene_change(folder)
+        check_control(folder)
     print(f"record: all checks passed, {len(frames)} steered frames")
 
 

@@ -71,7 +71,7 @@ std::string csvOf(const Json& results) {
 void holdPlant(const HoldOptions& options) {
   if (!options.out.empty()) makeOutputFolder(options.out);
   control::LawOptions law;
-  law.targetMs = options.targetMs;
+  law.targetMs = options.control.targetMs;
   Json results{{"schema", 1},
                {"commit", MACULA_COMMIT},
                {"target_ms", law.targetMs},

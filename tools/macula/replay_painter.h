@@ -47,6 +47,7 @@ class Painter {
   }
   void setScene(const scene::GpuScene& gpu) { renderer_.setScene(gpu); }
   void restart() { renderer_.restart(); }
+  void setLevers(const frame::Levers& levers) { renderer_.setLevers(levers); }
 
   [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
   [[nodiscard]] const image::Image8& display() const { return display_; }

@@ -9,11 +9,13 @@
 #include <span>
 
 #include "common.h"
+#include "engine/control/law.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/sha256.h"
 #include "engine/recording/reader.h"
 #include "engine/recording/scene_source.h"
+#include "recorded_levers.h"
 #include "replay_painter.h"
 
 namespace macula::tools {
@@ -46,6 +48,7 @@ class Session {
   void apply(const recording::Settings& settings);
   void loadScene(const recording::SceneSource& source);
   void follow(const recording::Frame& frame);
+  [[nodiscard]] std::string placeOf(const recording::Frame& frame) const;
   void compareHash(const recording::Frame& frame, const passes::FrameResult& result,
                    const std::string& sha256);
   template <typename Function>
@@ -85,6 +88,8 @@ void Session::apply(const recording::Settings& settings) {
   for (const auto& [key, value] : settings) {
     if (settings::Entry* entry = options_.registry.find(key)) {
       entry->set(value, where);
+    } else if (key.starts_with("control.")) {
+      // What a controller did is recorded; a replay repeats that, and never controls.
     } else if (unknown_.insert(key).second) {
       // A walk may have settings of its own, such as those of a tracker, that no image depends on.
       fmt::print(stderr, "warning: {}: the setting '{}' is not known to replay and left out\n",
@@ -113,6 +118,8 @@ void Session::follow(const recording::Frame& frame) {
     painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
     if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
   }
+  // The reference is drawn at full rate.
+  painter_->setLevers(replayedLevers(frame, options_.settings.lod.resize, placeOf(frame)));
   if (frame.reset == Reset::None) return;
   const glm::ivec2 before = painter_->renderer().outputSize();
   forEachPainter([&](Painter& painter) {
@@ -121,6 +128,12 @@ void Session::follow(const recording::Frame& frame) {
     painter.resize(frame.size);
   });
   if (frame.size != before || !flicker_) flicker_.emplace();
+}
+
+std::string Session::placeOf(const recording::Frame& frame) const {
+  return fmt::format("{}: line {}",
+                     (std::filesystem::path(options_.scene) / recording::kFramesFile).string(),
+                     frame.index + 1);
 }
 
 void Session::draw(const recording::Frame& frame) {
@@ -190,15 +203,12 @@ void Session::finish() {
       unrecorded_ > 0 ? fmt::format("; {} frames were drawn unrecorded", unrecorded_) : ""));
 }
 
-/// Refuses what this program cannot do again.
+/// Refuses levers that no frame could be drawn with, before anything is drawn or written.
 void checkLevers(const recording::Recording& recording, const std::string& folder) {
+  const std::string file = (std::filesystem::path(folder) / recording::kFramesFile).string();
   for (const recording::Frame& frame : recording.frames) {
-    if (frame.r == 1.0 && frame.levers.empty()) continue;
-    failInput(
-        "{}: line {}: shading at r = {} with {} other levers is not known to this program; "
-        "replay it with the one that recorded it, {}",
-        (std::filesystem::path(folder) / recording::kFramesFile).string(), frame.index + 1, frame.r,
-        frame.levers.size(), recording.session.commit);
+    (void)replayedLevers(frame, control::kLeastResize,
+                         fmt::format("{}: line {}", file, frame.index + 1));
   }
 }
 

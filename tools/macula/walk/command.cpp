@@ -63,6 +63,7 @@ void addWalk(CLI::App& root) {
       ->type_name("X,Y")
       ->allow_extra_args(false);  // a scene may follow
   addJsonOption(*command, o->json);
+  control::registerSettings(o->registry, o->control);
   settings::addOptions(*command, o->registry);
   command->callback([o, command] {
     settings::applyOptions(*command, o->registry);

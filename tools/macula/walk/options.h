@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/control/control_settings.h"
 #include "engine/gaze/gaze_settings.h"
 #include "engine/settings/registry.h"
 #include "passes/render_settings.h"
@@ -28,6 +29,7 @@ struct WalkOptions {
   std::vector<std::string> probes;  ///< "x,y", 0..1 of the window from the top left
   passes::RenderSettings settings;
   gaze::GazeSettings gazeSettings;
+  control::ControlSettings control;
   settings::Registry registry;
 };
 

@@ -143,7 +143,12 @@ void Panels::listFolder(const std::filesystem::path& folder) {
   state_.files = sceneFiles(state_.folder);
 }
 
-void Panels::add(const passes::FrameRenderer& renderer, const passes::FrameResult& result) {
+void Panels::add(const passes::FrameRenderer& renderer, const passes::FrameResult& result,
+                 const FrameControl& control) {
+  constexpr std::size_t kFrames = 240;  // as many as the plot of times has
+  if (resizes_.size() == kFrames) resizes_.erase(resizes_.begin());
+  resizes_.push_back(static_cast<float>(result.resizeFactor));
+  if (control.settings().law == "off") resizes_.clear();
   rows_.clear();
   for (const frame::PassTime& pass : result.passes) rows_.push_back({pass.name, pass.ms});
   std::optional<ui::LayerRow> layers;

@@ -10,6 +10,7 @@
 
 #include "engine/ui/settings_panel.h"
 #include "engine/ui/timeline.h"
+#include "frame_control.h"
 #include "passes/frame_renderer.h"
 #include "walk/camera_control.h"
 #include "walk/error_check.h"
@@ -42,6 +43,7 @@ struct PanelInput {
   GazeControl& gaze;
   SecondView& second;
   const ErrorCheck& errors;
+  const FrameControl& control;
 };
 
 /// What is typed and listed on the tabs, from frame to frame.
@@ -60,7 +62,8 @@ class Panels {
   Panels(settings::Registry& registry, bool shown, const std::string& tab);
 
   /// Takes the numbers of a frame that was drawn.
-  void add(const passes::FrameRenderer& renderer, const passes::FrameResult& result);
+  void add(const passes::FrameRenderer& renderer, const passes::FrameResult& result,
+           const FrameControl& control);
   /// Draws the gaze, the panels and the help page. Between the frames of the UI.
   void draw(const PanelInput& input, Requests& requests);
   /// What is loading, in the middle of an empty window or small over the picture.
@@ -87,12 +90,14 @@ class Panels {
  private:
   void drawTabs(const PanelInput& input, Requests& requests);
   void drawNumbers(const PanelInput& input);
+  void drawControl(const PanelInput& input);
   void drawViewTab(const PanelInput& input, Requests& requests);
   void drawSettingsTab(Requests& requests);
 
   ui::SettingsPanel panel_;
   ui::Timeline timeline_;
   std::vector<ui::TimeRow> rows_;  ///< of the newest frame; kept for its memory
+  std::vector<float> resizes_;     ///< r of the last frames where a law chooses it, the newest last
   TabState state_;
   std::size_t tab_ = 0;
   bool shown_;

@@ -71,6 +71,30 @@ void drawFragments(const passes::FrameResult& result) {
 
 }  // namespace
 
+void Panels::drawControl(const PanelInput& input) {
+  panel_.row("control.law");
+  if (input.control.settings().law == "off") return;
+  using control::Lever;
+  panel_.row("control.targetMs");
+  const control::Controller& controller = input.control.controller();
+  ui::nameValue("r", fmt::format("{:.3f}", input.result.resizeFactor));
+  const control::LeverValues& levers = controller.levers();
+  if (levers[Lever::FoveaSlope] != 1.0 || levers[Lever::LayerShare] != 1.0) {
+    ui::nameValue(
+        "fovea's slope, layers",
+        fmt::format("x {:.2f}, x {:.2f}", levers[Lever::FoveaSlope], levers[Lever::LayerShare]));
+  }
+  if (!resizes_.empty()) {
+    constexpr float kLines = 2.5F;
+    const float most = *std::max_element(resizes_.begin(), resizes_.end());
+    ImGui::PlotLines("##r", resizes_.data(), static_cast<int>(resizes_.size()), 0, "r", 1.0F,
+                     std::max(2.0F, most),
+                     {ImGui::GetContentRegionAvail().x, kLines * ImGui::GetTextLineHeight()});
+  }
+  const std::string notice = controller.notice();
+  if (!notice.empty()) ui::note(notice, ui::Tone::Warning);
+}
+
 void Panels::drawViewTab(const PanelInput& input, Requests& requests) {
   const passes::Method& method = *input.renderer.plan().method;
   const glm::ivec2 size = input.renderer.outputSize();
@@ -89,6 +113,8 @@ void Panels::drawViewTab(const PanelInput& input, Requests& requests) {
   panel_.row("view.heatmap");
   drawHeatmapLegend(input);
   panel_.row("tonemap.exposure");
+  ImGui::Separator();
+  drawControl(input);
   ImGui::Separator();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   ImGui::InputTextWithHint("##picture", "name of the picture; empty: macula_001, ...",

@@ -11,6 +11,7 @@
 #include "engine/core/sha256.h"
 #include "engine/recording/scene_source.h"
 #include "macula_version.h"
+#include "recorded_levers.h"
 
 namespace macula::tools {
 namespace {
@@ -103,7 +104,7 @@ void WalkRecorder::frame(const RecordedFrame& events, const passes::FrameRendere
   frame_.camera = renderer.inputs().view.camera;
   frame_.gaze = renderer.inputs().gaze;
   frame_.r = events.r;
-  frame_.levers = events.levers;
+  frame_.levers = recordedLevers(renderer.inputs().levers);
   if (hashes_) {
     renderer.readDisplay(pixels_);
     frame_.imageSha256 = sha256Hex(std::as_bytes(std::span(pixels_)));

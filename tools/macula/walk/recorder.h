@@ -33,8 +33,7 @@ struct RecordedFrame {
   double timeSeconds = 0.0;  ///< of the frame, since the session's start
   /// Where another scene was set since the last frame: which.
   const recording::SceneSource* scene = nullptr;
-  double r = 1.0;                                           ///< resize factor of the shading
-  std::vector<std::pair<std::string, double>> levers = {};  ///< that a controller set, beside r
+  double r = 1.0;  ///< resize factor of the shading, as it was used
 };
 
 class WalkRecorder {

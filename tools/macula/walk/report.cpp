@@ -56,6 +56,20 @@ ordered_json errorOf(const ErrorCheck& errors) {
   return json;
 }
 
+ordered_json controlOf(const WalkReport& report) {
+  const control::Controller& controller = report.control.controller();
+  const control::LeverValues& levers = controller.levers();
+  ordered_json json{{"law", report.control.settings().law},
+                    {"target_ms", report.control.settings().targetMs},
+                    {"r", report.result.resizeFactor},
+                    {"active", controller.active()},
+                    {"notice", controller.notice()}};
+  for (const control::LeverInfo& info : control::kLeverOrder) {
+    json["levers"][std::string(info.name)] = levers[info.lever];
+  }
+  return json;
+}
+
 ordered_json placeOf(glm::vec3 place) {
   return ordered_json::array({place.x, place.y, place.z});
 }
@@ -87,6 +101,7 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   if (const auto& layers = report.result.layers) {
     json["k"] = {{"min", layers->min}, {"max", layers->max}, {"mean", layers->mean}};
   }
+  json["control"] = controlOf(report);
   json["second"] = secondOf(report.second);
   json["error"] = errorOf(report.errors);
   json["tab"] = report.tab;

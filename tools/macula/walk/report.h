@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame_control.h"
 #include "passes/frame_renderer.h"
 #include "walk/error_check.h"
 #include "walk/frame_events.h"
@@ -36,6 +37,7 @@ struct WalkReport {
   int frames = 0;         ///< drawn while nothing was loading or being measured
   int loadingFrames = 0;  ///< drawn while a scene was loading
   bool playing = false;   ///< a camera path
+  const FrameControl& control;
 };
 
 [[nodiscard]] nlohmann::ordered_json describeWalk(const WalkReport& report,

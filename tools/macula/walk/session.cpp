@@ -109,6 +109,7 @@ void WalkSession::loadingFrame() {
     machine_ = std::make_unique<passes::Machine>();
     renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *machine_);
     second_ = std::make_unique<SecondView>(options_.settings, *machine_);
+    control_ = std::make_unique<FrameControl>(options_.control, options_.settings, machine_->time);
   }
 }
 
@@ -117,7 +118,8 @@ void WalkSession::frame() {
   if (!options_.record.empty() && events_.index == 0) beginRecording();
   script_.due(frames_, requests_);
   grantRequests();
-  prepareEvents(Clock::now());
+  const Clock::time_point begin = Clock::now();
+  prepareEvents(begin);
   draw();
   if (recorder_) record();
   compose();
@@ -128,6 +130,7 @@ void WalkSession::frame() {
   // scripts and --frames mean the same on any machine.
   if (!busy()) ++frames_;
   ui_.endFrame();
+  noteTimes(begin);
   // A window that is closed has drawn its last frame as well.
   if (done()) finish();
   window_.swap();
@@ -151,6 +154,16 @@ void WalkSession::prepareEvents(Clock::time_point now) {
   events_.camera = camera_.camera();
   events_.cut = camera_.takeCut();
   events_.scene = scene_.name;
+}
+
+void WalkSession::noteTimes(Clock::time_point begin) {
+  // What is neither the renderer's nor the display's is the CPU's; with two methods, the other is
+  // no time of this one.
+  const float busyMs = 1e3F * secondsBetween(begin, Clock::now());
+  const double others = second_->shown() ? second_->result().totalMs : 0.0;
+  const double cpuMs = std::max(static_cast<double>(busyMs) - result_.totalMs - others, 0.0);
+  const double intervalMs = 1e3 * static_cast<double>(events_.deltaSeconds);
+  control_->note(result_, cpuMs, intervalMs - others);
 }
 
 void WalkSession::lookAround(bool wanted) {
@@ -223,8 +236,8 @@ void WalkSession::drawOverlays() {
   if (!mapShown) {
     second_->drawOverlay(!ui_.wantsPointer(), window.y - kNamesEms * ImGui::GetFontSize());
   }
-  const PanelInput input{events_, *renderer_, result_, options_.settings, scene_, camera_,
-                         gaze_,   *second_,   errors_};
+  const PanelInput input{events_, *renderer_, result_,  options_.settings, scene_,
+                         camera_, gaze_,      *second_, errors_,           *control_};
   panels_.draw(input, requests_);
   if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
   if (panels_.drawMessage(message_ ? &*message_ : nullptr)) message_.reset();
@@ -248,6 +261,7 @@ void WalkSession::finish() {
       .frames = frames_,
       .loadingFrames = loadingFrames_,
       .playing = camera_.playing(),
+      .control = *control_,
   };
   writeJson(options_.json, describeWalk(report, probes_));
 }
@@ -273,7 +287,9 @@ void WalkSession::record() {
     if (events_.sceneChanged && recorder_->frames() > 0) {
       scene = recording::sourceOf(events_.scene);
     }
-    recorder_->frame({.timeSeconds = events_.timeSeconds, .scene = scene ? &*scene : nullptr},
+    recorder_->frame({.timeSeconds = events_.timeSeconds,
+                      .scene = scene ? &*scene : nullptr,
+                      .r = result_.resizeFactor},
                      *renderer_);
   } catch (const InputError& error) {
     // A full disk or a vanished file ends the recording, not the walk.

@@ -13,6 +13,7 @@
 #include "engine/core/error.h"
 #include "engine/ui/ui_context.h"
 #include "engine/window/window.h"
+#include "frame_control.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
 #include "walk/camera_control.h"
@@ -48,6 +49,7 @@ class WalkSession {
   void loadingFrame();
   void frame();
   void prepareEvents(Clock::time_point now);
+  void noteTimes(Clock::time_point begin);
   void steer(float seconds);
   void lookAround(bool wanted);
   void followPointer();
@@ -104,6 +106,7 @@ class WalkSession {
   std::unique_ptr<passes::Machine> machine_;
   std::unique_ptr<passes::FrameRenderer> renderer_;
   std::unique_ptr<SecondView> second_;
+  std::unique_ptr<FrameControl> control_;
   ShownScene scene_;
   ShownScene sceneBefore_;  ///< until the new one was drawn once
   std::optional<CameraControl> cameraBefore_;

@@ -18,6 +18,10 @@ constexpr std::string_view kNeedsNothing = "blend";
 
 void WalkSession::draw() {
   const bool changed = change_ || events_.resized || events_.sceneChanged;
+  const int axis = options_.settings.tonemap.ssaa;  // may be what has changed
+  control_->resized(axis * events_.pictureSize);
+  if (events_.sceneChanged) control_->restart();
+  control_->steer(*renderer_);
   for (;;) {
     try {
       drawFirst();
@@ -29,7 +33,7 @@ void WalkSession::draw() {
   change_.reset();
   sceneBefore_ = {};
   cameraBefore_.reset();
-  panels_.add(*renderer_, result_);
+  panels_.add(*renderer_, result_, *control_);
   if (second_->shown()) drawSecond(changed);
 }
 

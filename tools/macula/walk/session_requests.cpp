@@ -88,6 +88,7 @@ void WalkSession::noteChange() {
   std::optional<ui::SettingChange> change = panels_.settings().takeChange();
   if (!change) return;
   events_.changed.push_back(change->entry);
+  if (change->entry->group() == "control") return;  // the controller looks for itself
   if (change->entry->group() == "gaze" || change->entry->group() == "display") {
     gaze_.reopen();  // no image depends on it but through the point of interest
     return;

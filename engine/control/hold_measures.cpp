@@ -1,0 +1,159 @@
+#include "engine/control/hold_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/control/law.h"
+#include "engine/measure/statistics.h"
+
+namespace macula::control {
+namespace {
+
+constexpr double kLate = 1.02;
+constexpr double kVeryLate = 1.1;
+/// Share of normally distributed values within one standard deviation.
+constexpr double kOneDeviation = 0.6827;
+/// Frames of a running median: the camera moves, and what it sees is no noise.
+constexpr std::size_t kHalfWindow = 15;
+/// Frames whose median says whether the time has settled.
+constexpr std::size_t kSettledFrames = 5;
+
+using measure::median;
+using measure::percentile;
+
+/// Deviations of the frames of a part from their running median, as shares of it.
+void addDeviations(std::span<const HeldFrame> part, std::vector<double>& deviations) {
+  std::vector<double> near;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const std::size_t low = i - std::min(i, kHalfWindow);
+    const std::size_t high = std::min(part.size(), i + kHalfWindow + 1);
+    near.clear();
+    for (std::size_t j = low; j < high; ++j) near.push_back(part[j].fixedMs);
+    deviations.push_back(std::abs(part[i].fixedMs / *median(near) - 1.0));
+  }
+}
+
+std::optional<std::size_t> settling(std::span<const HeldFrame> part, double goalMs,
+                                    double tolerance) {
+  for (std::size_t i = 0; i + kSettledFrames <= part.size(); ++i) {
+    std::vector<double> next;
+    for (std::size_t j = i; j < i + kSettledFrames; ++j) next.push_back(part[j].ms);
+    if (std::abs(*median(next) / goalMs - 1.0) <= tolerance) return i;
+  }
+  return {};
+}
+
+/// Where the judged frames of a part should lie, ms.
+double goalOf(const HoldPart& part, double targetMs) {
+  return std::min(part.reachableMs, targetMs);
+}
+
+/// Whether a frame is where it should be: around the goal, or at full rate and in time.
+bool isWithin(const HeldFrame& frame, double goalMs, double targetMs, double tolerance) {
+  constexpr double kFullRate = 1.0 + 1e-6;
+  const bool free = frame.resize <= kFullRate && frame.ms <= targetMs * (1.0 + tolerance);
+  return free || std::abs(frame.ms / goalMs - 1.0) <= tolerance;
+}
+
+double shareOf(std::size_t count, std::size_t of) {
+  return of == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(of);
+}
+
+double reversalsPerHundred(std::span<const HeldFrame> frames) {
+  double direction = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const double change = frames[i].resize - frames[i - 1].resize;
+    if (change == 0.0) continue;
+    if (direction * change < 0.0) ++count;
+    direction = change;
+  }
+  return 100.0 * shareOf(count, frames.size());
+}
+
+}  // namespace
+
+HoldPart modelOf(std::span<const HeldFrame> frames, double targetMs, double mostResize) {
+  std::vector<double> works;
+  std::vector<double> rests;
+  for (const HeldFrame& frame : frames) {
+    works.push_back(frame.resizableMs * frame.resize * frame.resize);
+    rests.push_back(frame.ms - frame.resizableMs);
+  }
+  HoldPart part;
+  part.workMs = median(works).value_or(0.0);
+  part.restMs = median(rests).value_or(0.0);
+  const double forWork = targetMs - part.restMs;
+  if (part.workMs > 0.0) {
+    part.idealResize = forWork > 0.0
+                           ? std::clamp(std::sqrt(part.workMs / forWork), kLeastResize, mostResize)
+                           : mostResize;
+  }
+  part.reachableMs = part.workMs / (part.idealResize * part.idealResize) + part.restMs;
+  return part;
+}
+
+HoldMeasures measureHold(const HoldRun& run) {
+  if (run.frames.empty()) throw std::invalid_argument("measureHold: no frames");
+  HoldMeasures m;
+  std::vector<std::size_t> bounds{0};
+  bounds.insert(bounds.end(), run.steps.begin(), run.steps.end());
+  bounds.push_back(run.frames.size());
+  std::vector<double> deviations;
+  for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+    const auto frames = run.frames.subspan(bounds[i], bounds[i + 1] - bounds[i]);
+    if (frames.empty()) continue;
+    HoldPart part = modelOf(frames, run.targetMs, run.mostResize);
+    part.begin = bounds[i];
+    part.end = bounds[i + 1];
+    m.parts.push_back(part);
+    addDeviations(frames, deviations);
+  }
+  m.fixedSpread = *percentile(deviations, kOneDeviation);
+  m.tolerance = kGateTolerance + m.fixedSpread;
+  std::size_t fixedWithin = 0;
+  for (const double deviation : deviations) fixedWithin += deviation <= m.tolerance ? 1 : 0;
+  m.fixedWithin = shareOf(fixedWithin, deviations.size());
+
+  std::vector<double> times;
+  std::size_t five = 0;
+  std::size_t within = 0;
+  std::size_t late = 0;
+  std::size_t veryLate = 0;
+  for (HoldPart& part : m.parts) {
+    const auto frames = run.frames.subspan(part.begin, part.end - part.begin);
+    const double goal = goalOf(part, run.targetMs);
+    part.settleFrames = settling(frames, goal, m.tolerance);
+    double pixels = 0.0;
+    double ideal = 0.0;
+    for (std::size_t i = kSettling; i < frames.size(); ++i) {
+      five += isWithin(frames[i], goal, run.targetMs, kGateTolerance) ? 1 : 0;
+      within += isWithin(frames[i], goal, run.targetMs, m.tolerance) ? 1 : 0;
+      late += frames[i].ms > kLate * run.targetMs ? 1 : 0;
+      veryLate += frames[i].ms > kVeryLate * run.targetMs ? 1 : 0;
+      times.push_back(frames[i].ms);
+      pixels += 1.0 / (frames[i].resize * frames[i].resize);
+      ideal += 1.0 / (part.idealResize * part.idealResize);
+    }
+    part.usedPixels = ideal > 0.0 ? pixels / ideal : 0.0;
+  }
+  std::size_t over = 0;
+  for (const HeldFrame& frame : run.frames) {
+    over = frame.ms > kLate * run.targetMs ? over + 1 : 0;
+    m.longestOver = std::max(m.longestOver, over);
+  }
+  m.judged = times.size();
+  m.withinFive = shareOf(five, m.judged);
+  m.withinTolerance = shareOf(within, m.judged);
+  m.over102 = shareOf(late, m.judged);
+  m.over110 = shareOf(veryLate, m.judged);
+  m.met = m.judged > 0 && m.withinTolerance >= kGateShare;
+  m.p50Ms = percentile(times, 0.5).value_or(0.0);
+  m.p95Ms = percentile(times, 0.95).value_or(0.0);
+  m.p99Ms = percentile(times, 0.99).value_or(0.0);
+  m.reversals = reversalsPerHundred(run.frames);
+  return m;
+}
+
+}  // namespace macula::control

@@ -1,0 +1,81 @@
+// How well a target was held by a real renderer whose times nobody can repeat.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace macula::control {
+
+/// A frame of a run: drawn under control, and once more beside it with a fixed r.
+struct HeldFrame {
+  double ms = 0.0;           ///< > 0
+  double resizableMs = 0.0;  ///< of it, in passes whose work follows 1 / r^2
+  double resize = 1.0;       ///< r as it was really used
+  double fixedMs = 0.0;      ///< of the frame with the fixed r
+};
+
+/// What is compared.
+struct HoldRun {
+  double targetMs = 0.0;
+  double mostResize = 1.0;  ///< r's end
+  std::span<const HeldFrame> frames;
+  std::vector<std::size_t> steps;  ///< frames at which the load changes, ascending; without 0
+};
+
+/// Frames between two changes of the load.
+struct HoldPart {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  double workMs = 0.0;       ///< K: median of the resizable time, times r^2
+  double restMs = 0.0;       ///< C: median of the other times
+  double idealResize = 1.0;  ///< that meets the target by K / r^2 + C, 1 to the most
+  /// K / r^2 + C at the ideal r: the target, or less where full rate fits, more where r does not
+  /// reach it.
+  double reachableMs = 0.0;
+  /// Frames from the part's begin until the median of 5 times is in the tolerance; none where it
+  /// never is.
+  std::optional<std::size_t> settleFrames;
+  double usedPixels =
+      0.0;  ///< over those of the ideal r, without the part's first kSettling frames
+};
+
+/// Frames after the begin and after each change of the load that the gate leaves out.
+inline constexpr std::size_t kSettling = 10;
+/// The gate of the project: so many of the other frames...
+inline constexpr double kGateShare = 0.9;
+/// ...lie within this share of the target, plus the spread of the fixed r.
+inline constexpr double kGateTolerance = 0.05;
+
+struct HoldMeasures {
+  std::vector<HoldPart> parts;
+  /// What 68.27 % of the frames with the fixed r stay within, as a share of the running median of
+  /// 31 of them: one standard deviation where times spread normally. What the machine does.
+  double fixedSpread = 0.0;
+  double tolerance = 0.0;        ///< kGateTolerance + fixedSpread
+  std::size_t judged = 0;        ///< frames without those that settle
+  double withinFive = 0.0;       ///< share of the judged frames within kGateTolerance of the target
+  double withinTolerance = 0.0;  ///< the same with the spread: what the gate asks for
+  double fixedWithin = 0.0;      ///< of the fixed r, around its own running median
+  bool met = false;              ///< the gate
+  double over102 = 0.0;          ///< share of the judged frames over 1.02 T
+  double over110 = 0.0;          ///< over 1.1 T
+  std::size_t longestOver = 0;   ///< frames in a row over 1.02 T, anywhere
+  double p50Ms = 0.0;            ///< of the judged frames
+  double p95Ms = 0.0;
+  double p99Ms = 0.0;
+  double reversals = 0.0;  ///< of r's direction, a hundred frames
+};
+
+/// Frames count as within where they lie around the target, or around the time at r = 1 where full
+/// rate fits, or where they are drawn at full rate and are in time. A target out of reach is not
+/// held.
+/// @throws std::invalid_argument for no frames
+[[nodiscard]] HoldMeasures measureHold(const HoldRun& run);
+
+/// K and C from frames of one view, and the r that follows.
+[[nodiscard]] HoldPart modelOf(std::span<const HeldFrame> frames, double targetMs,
+                               double mostResize);
+
+}  // namespace macula::control

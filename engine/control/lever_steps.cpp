@@ -1,0 +1,89 @@
+#include "engine/control/lever_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace macula::control {
+namespace {
+
+/// A median beyond this much of the target asks for a step; the law calls frames late from there.
+constexpr double kLate = 1.02;
+/// A step is taken back where the time without it would still be below this share of the target.
+constexpr double kRoom = 0.97;
+/// What a step is thought to save, at the most: the load may have changed beside it, and a step
+/// that seems to have saved half of the time would never be taken back.
+constexpr double kMostGain = 1.25;
+
+const LeverInfo& infoOf(Lever lever) {
+  return *std::ranges::find(kLeverOrder, lever, &LeverInfo::lever);
+}
+
+double stepped(const LeverInfo& info, double value) {
+  const double next = value * info.step;
+  return info.end > info.rest ? std::min(next, info.end) : std::max(next, info.end);
+}
+
+}  // namespace
+
+void LeverSteps::observe(std::uint64_t frame, double totalMs, bool resizeEnded) {
+  if (frame < since_) return;
+  if (!resizeEnded) return forgetTimes(frame + 1);
+  times_[count_++ % kWait] = totalMs;
+}
+
+void LeverSteps::forgetTimes(std::uint64_t frame) {
+  since_ = frame;
+  count_ = 0;
+  exhausted_ = false;
+}
+
+void LeverSteps::rest() {
+  steps_.clear();
+  exhausted_ = false;
+  count_ = 0;
+}
+
+bool LeverSteps::take(std::uint64_t frame, const LeverWork& work) {
+  LeverValues now;
+  apply(now);
+  for (const LeverInfo& info : kLeverOrder) {
+    if (info.step == 0.0 || !work[info.lever] || now[info.lever] == info.end) continue;
+    steps_.push_back({info.lever, medianMs_});
+    forgetTimes(frame);
+    return true;
+  }
+  return false;
+}
+
+void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& work) {
+  // What has no work any more gives no time: back to rest, for when it has.
+  if (std::erase_if(steps_, [&](const Step& step) { return !work[step.lever]; }) > 0) {
+    forgetTimes(frame);
+  }
+  if (count_ < kWait) return;
+  std::array<double, kWait> sorted = times_;
+  std::ranges::sort(sorted);
+  medianMs_ = 0.5 * (sorted[(kWait - 1) / 2] + sorted[kWait / 2]);
+  if (engaged() && steps_.back().gain == 0.0) {
+    steps_.back().gain = std::clamp(steps_.back().beforeMs / medianMs_, 1.0, kMostGain);
+  }
+  const bool before = std::exchange(exhausted_, false);
+  if (medianMs_ > kLate * targetMs) {
+    exhausted_ = !take(frame, work);
+    if (exhausted_ && !before) leastMs_ = medianMs_;
+  } else if (engaged() && medianMs_ * steps_.back().gain < kRoom * targetMs) {
+    steps_.pop_back();
+    forgetTimes(frame);
+  }
+}
+
+void LeverSteps::apply(LeverValues& values) const {
+  for (const LeverInfo& info : kLeverOrder) {
+    if (info.step != 0.0) values[info.lever] = info.rest;
+  }
+  for (const Step& step : steps_)
+    values[step.lever] = stepped(infoOf(step.lever), values[step.lever]);
+}
+
+}  // namespace macula::control

@@ -1,0 +1,59 @@
+// What a controller may move, and in which order: r first, then what is missed more.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "engine/control/law.h"
+
+namespace macula::control {
+
+enum class Lever : std::size_t { Resize, FoveaSlope, LayerShare };
+inline constexpr std::size_t kLeverCount = 3;
+
+/// The range of a lever, from rest to its end, and a slow lever's step.
+struct LeverInfo {
+  Lever lever;
+  std::string_view name;   ///< for files
+  std::string_view title;  ///< for people
+  double rest;
+  double end;
+  double step;  ///< factor of one step; 0: moved by the law, without steps
+};
+
+/// The order in which levers come into play; they are released from the end. Least error for each
+/// millisecond saved goes first, which `macula chart` measures. r takes detail everywhere and gives
+/// time in proportion to the pixels. The fovea's slope takes what the eye resolves least, and gives
+/// less. Fewer layers take whole surfaces out of the transparent depth.
+///
+/// A step changes a slow lever's work by a quarter at the most: less is lost in the noise, more is
+/// seen. Ends: four times the slope of Guenter et al. 2012 shades coarser than anything they found
+/// acceptable; with a quarter of the layers, k-buffers of 4 layers are down to 1.
+inline constexpr std::array<LeverInfo, kLeverCount> kLeverOrder{{
+    {Lever::Resize, "resize", "r", kLeastResize, kMostResize, 0.0},
+    {Lever::FoveaSlope, "fovea_slope", "fovea's slope", 1.0, 4.0, 1.25},
+    {Lever::LayerShare, "layer_share", "share of the layers", 1.0, 0.25, 0.8},
+}};
+
+/// Where the levers stand. As built: all at rest.
+struct LeverValues {
+  std::array<double, kLeverCount> at{1.0, 1.0, 1.0};
+
+  [[nodiscard]] double operator[](Lever lever) const { return at[static_cast<std::size_t>(lever)]; }
+  [[nodiscard]] double& operator[](Lever lever) { return at[static_cast<std::size_t>(lever)]; }
+  bool operator==(const LeverValues&) const = default;
+};
+
+/// Whether each lever has anything to work on in the present frame.
+struct LeverWork {
+  bool resize = true;   ///< something is computed at 1/r
+  bool fovea = false;   ///< shading is foveated
+  bool layers = false;  ///< a k-buffer stores transparent surfaces within a budget
+
+  [[nodiscard]] bool operator[](Lever lever) const {
+    return lever == Lever::Resize ? resize : lever == Lever::FoveaSlope ? fovea : layers;
+  }
+};
+
+}  // namespace macula::control

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""macula hold SCENE: its files, what they say of one another, and its refusals.
+
+usage: hold_test.py PROGRAM
+
+Nothing here asserts on a time: a target that anything meets, and one that nothing meets.
+"""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+MACULA = sys.argv[1]
+SOURCE = os.environ["MACULA_SOURCE"]
+SMALL = ("--size", "64x36", "--warmup", "2")
+SHORT = (*SMALL, "--frames", "40")
+
+
+def hold(folder, *options, status=0):
+    done = subprocess.run([MACULA, "hold", *options], capture_output=True, text=True, cwd=folder)
+    assert done.returncode == status, (done.returncode, done.stderr)
+    if status == 2:
+        assert done.stderr.count("\n") == 1, done.stderr
+    return done
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8", newline="") as f:
+        return list(csv.DictReader(f))
+
+
+def check_example(folder):
+    """The example of engine/control/README.md: its keys are those that are written."""
+    with open(os.path.join(SOURCE, "engine/control/README.md"), encoding="utf-8") as f:
+        text = f.read()
+    command = re.search(r"```sh\nmacula (hold smoke .*?)\n```", text).group(1).split()
+    example = json.loads(re.search(r"```json\n(.*?)```", text, re.S).group(1))
+    done = hold(folder, *command[1:], "--out", "held")
+    assert "settled" in done.stdout and "report: held/report.html" in done.stdout, done.stdout
+    with open(os.path.join(folder, "held", "results.json"), encoding="utf-8") as f:
+        results = json.load(f)
+
+    def shape(value):
+        if isinstance(value, dict):
+            return {key: shape(inner) for key, inner in value.items()}
+        return [shape(value[0])] if isinstance(value, list) and value else None
+
+    for name in ("settings", "notices"):  # as many as there are
+        example.pop(name), results[name]
+        del results[name]
+    assert shape(results) == shape(example), (shape(results), shape(example))
+    table = set(re.findall(r"^\| `([a-z_]+)`", text, re.M))
+    assert set(results) <= table, set(results) - table
+    rows = rows_of(os.path.join(folder, "held", "results.csv"))
+    assert len(rows) == results["frames"] == 40
+    loads = [int(row["load"]) for row in rows]
+    assert loads == [1] * 20 + [2] * 20, loads
+    for row in rows:
+        passes = sum(float(v) for k, v in row.items() if k.startswith("ms.") and v)
+        assert 0.0 < passes <= float(row["ms"]) * 1.001, row
+        assert float(row["resizable_ms"]) <= float(row["ms"]), row
+    return os.path.join(folder, "held", "report.html")
+
+
+def check_easy(folder):
+    """What full rate meets leaves every lever at rest, and is met."""
+    results = json.loads(hold(folder, "smoke", "--target-ms", "9000", "--load", "none", *SHORT,
+                              "--json", "-", "--out", "easy").stdout)
+    assert results["gate"]["met"] is True and len(results["parts"]) == 1, results["gate"]
+    assert results["steps"] == [] and results["held"]["over_102_share"] == 0
+    for row in rows_of(os.path.join(folder, "easy", "results.csv")):
+        assert (float(row["r"]), float(row["fovea_slope"]), float(row["layer_share"])) == (1, 1, 1)
+
+
+def check_hopeless(folder):
+    """What nothing meets is said, with every lever at its end."""
+    results = json.loads(hold(folder, "smoke", "--target-ms", "0.01", "--load", "none", *SMALL,
+                              "--k-ave", "2", "--frames", "130", "--json", "-",
+                              "--out", "hopeless").stdout)
+    assert results["gate"]["met"] is False and results["held"]["over_110_share"] == 1
+    assert "out of reach" in results["notices"][-1]["text"], results["notices"]
+    last = rows_of(os.path.join(folder, "hopeless", "results.csv"))[-1]
+    assert float(last["layer_share"]) == 0.25, last
+    assert float(last["fovea_slope"]) == 1, "nothing is foveated"
+
+
+def check_off(folder):
+    results = json.loads(hold(folder, "smoke", "--law", "off", *SHORT, "--json", "-").stdout)
+    assert results["gate"]["met"] is None and results["notices"] == []
+
+
+def check_share(folder):
+    results = json.loads(hold(folder, "smoke", "--target-share", "0.5", "--load", "0:3", *SHORT,
+                              "--json", "-").stdout)
+    assert results["loads"][0]["times"] == 3 and len(results["loads"]) == 1
+    assert abs(results["target_ms"] / results["loads"][0]["full_rate_ms"] - 0.5) < 1e-9
+
+
+def check_refusals(folder):
+    for options, words in (
+            ((), "name a scene"),
+            (("smoke", "--plant"), "plant"),
+            (("smokee",), "smoke"),
+            (("smoke", "--load", "20"), "'20' is no step"),
+            (("smoke", "--load", "20:0"), "'20:0' is no step"),
+            (("smoke", "--load", "20:2x"), "'20:2x' is no step"),
+            (("smoke", "--load", "40:2", "--frames", "40"), "beyond the last"),
+            (("smoke", "--load", "20:2", "--load", "10:3"), "does not come after"),
+            (("smoke", "--load", "none", "--load", "10:3"), "stands alone"),
+            (("smoke", "--target-ms", "0"), "target-ms"),
+            (("smoke", "--target-share", "3"), "target-share"),
+            (("smoke", "--target-share", "0.5", "--target-ms", "10"), "target"),
+            (("smoke", "--law", "maccula"), "macula"),
+            (("smoke", "--control.mostResize", "9"), "control.mostResize"),
+            (("smoke", "--size", "0x0"), "--size"),
+            (("smoke", "--camera", "nowhere.csv"), "nowhere.csv"),
+            (("--seeds", "2", "smoke"), "plant")):
+        message = hold(folder, *options, "--out", "refused", status=2).stderr
+        assert words in message, (options, message)
+        assert not os.path.exists(os.path.join(folder, "refused")), options
+
+
+def check_report(folder, page):
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is None:
+        print("skipped: no chromium for the report (apt-get install chromium)")
+        return
+    done = subprocess.run(
+        [browser, "--headless=new", "--no-sandbox", "--disable-gpu",
+         f"--user-data-dir={os.path.join(folder, 'profile')}", "--proxy-server=127.0.0.1:9",
+         "--virtual-time-budget=5000", "--dump-dom", "file://" + page],
+        capture_output=True, text=True, timeout=240)
+    errors = re.search(r'<p id="script-errors"[^>]*>(.*?)</p>', done.stdout, re.S)
+    assert errors and errors.group(1) == "" and "hidden" in errors.group(0), done.stderr[-2000:]
+    assert done.stdout.count('class="uplot') >= 2 and "smoke: " in done.stdout
+    assert re.search(r">(Met|Missed): <", done.stdout), "no verdict"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        check_refusals(folder)
+        page = check_example(folder)
+        check_easy(folder)
+        check_hopeless(folder)
+        check_off(folder)
+        check_share(folder)
+        check_report(folder, page)
+    print("hold: all checks passed")
+
+
+main()

@@ -1,0 +1,59 @@
+#include "frame_control.h"
+
+namespace macula::tools {
+namespace {
+
+using control::Lever;
+
+frame::Levers leversOf(const control::LeverValues& values) {
+  return {.resize = static_cast<float>(values[Lever::Resize]),
+          .foveaSlope = static_cast<float>(values[Lever::FoveaSlope]),
+          .layerShare = static_cast<float>(values[Lever::LayerShare])};
+}
+
+}  // namespace
+
+std::string clockFaultOf(const gl::TimeSourceCheck& check) {
+  const auto& ms = check.source == gl::TimeSource::Query ? check.queryMs : check.finishMs;
+  static_assert(gl::TimeSourceCheck::kRepeats.front() == 1 &&
+                gl::TimeSourceCheck::kRepeats.back() == 4);
+  return control::clockFault(ms.front(), ms.back());
+}
+
+void FrameControl::steer(passes::FrameRenderer& renderer) {
+  const control::LeverWork work{
+      .resize = true,  // times tell
+      .fovea = rendering_.foveation.enabled,
+      .layers = passes::methodById(rendering_.oit.method).hasBudget() &&
+                renderer.inputs().facts.transparentTriangles > 0,
+  };
+  const control::LeverValues& values =
+      controller_.next(times_ ? &*times_ : nullptr, usedResize_, work);
+  times_.reset();
+  renderer.setLevers(controller_.active() ? leversOf(values) : frame::Levers{});
+}
+
+void FrameControl::note(const passes::FrameResult& result, std::optional<double> cpuMs,
+                        std::optional<double> intervalMs) {
+  usedResize_ = result.resizeFactor;
+  times_ = control::FrameTimes{.frame = controller_.frame() - 1,
+                               .resize = result.resizeFactor,
+                               .totalMs = result.totalMs,
+                               .resizableMs = result.resizableMs,
+                               .cpuMs = cpuMs,
+                               .intervalMs = intervalMs};
+}
+
+void FrameControl::resized(glm::ivec2 size) {
+  const double pixels = static_cast<double>(size.x) * static_cast<double>(size.y);
+  if (pixels_ > 0.0 && pixels != pixels_) controller_.resized(pixels / pixels_);
+  pixels_ = pixels;
+}
+
+void FrameControl::restart() {
+  controller_.restart();
+  times_.reset();
+  usedResize_ = 1.0;
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,50 @@
+// Control of a renderer's frame time: the controller, with what it needs to know of the renderer.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/control/controller.h"
+#include "engine/gl/time_source.h"
+#include "passes/frame_renderer.h"
+
+namespace macula::tools {
+
+/// Why the clock that frames are timed by cannot be controlled by; empty where it can.
+[[nodiscard]] std::string clockFaultOf(const gl::TimeSourceCheck& check);
+
+/// Moves the levers of one renderer, frame by frame.
+class FrameControl {
+ public:
+  /// @param settings, rendering must outlive it; may change at any time
+  FrameControl(const control::ControlSettings& settings, const passes::RenderSettings& rendering,
+               const gl::TimeSourceCheck& check)
+      : controller_(settings, clockFaultOf(check)), settings_(settings), rendering_(rendering) {}
+
+  /// Sets the levers of the next frame; at rest where nothing is controlled.
+  void steer(passes::FrameRenderer& renderer);
+  /// Takes the times of that frame.
+  /// @param cpuMs, intervalMs as control::FrameTimes has them
+  void note(const passes::FrameResult& result, std::optional<double> cpuMs = {},
+            std::optional<double> intervalMs = {});
+  /// The frame was not drawn to its end: it has no times.
+  void skip() { times_.reset(); }
+  /// The next frames have so many pixels.
+  void resized(glm::ivec2 size);
+  /// The next frames are of another scene.
+  void restart();
+
+  [[nodiscard]] const control::ControlSettings& settings() const { return settings_; }
+  [[nodiscard]] const control::Controller& controller() const { return controller_; }
+
+ private:
+  control::Controller controller_;
+  const control::ControlSettings& settings_;
+  const passes::RenderSettings& rendering_;
+  std::optional<control::FrameTimes> times_;  ///< of the newest frame
+  double usedResize_ = 1.0;
+  double pixels_ = 0.0;  ///< of the image; 0: not known yet
+};
+
+}  // namespace macula::tools

@@ -1,0 +1,200 @@
+#include "hold_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "macula_version.h"
+
+namespace macula::tools {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kPercent = 100.0;
+
+/// Thousandths are finer than any difference that matters, and keep the page small.
+double rounded(double value) {
+  return std::round(value * 1e3) / 1e3;
+}
+
+ordered_json partJson(const control::HoldPart& part, const HoldRecord& record) {
+  return {{"begin", part.begin},
+          {"end", part.end},
+          {"load", record.frames[part.begin].load},
+          {"work_ms", part.workMs},
+          {"rest_ms", part.restMs},
+          {"ideal_r", part.idealResize},
+          {"reachable_ms", part.reachableMs},
+          {"settle_frames",
+           part.settleFrames ? ordered_json(*part.settleFrames) : ordered_json(nullptr)},
+          {"used_pixels", part.usedPixels}};
+}
+
+ordered_json measuresJson(const control::HoldMeasures& m) {
+  return {{"judged_frames", m.judged},
+          {"within_5", m.withinFive},
+          {"within_tolerance", m.withinTolerance},
+          {"over_102_share", m.over102},
+          {"over_110_share", m.over110},
+          {"longest_over", m.longestOver},
+          {"p50_ms", m.p50Ms},
+          {"p95_ms", m.p95Ms},
+          {"p99_ms", m.p99Ms},
+          {"reversals_per_100", m.reversals}};
+}
+
+/// Whether anything was controlled, so that there is something to judge.
+bool isControlled(const HoldRecord& record, const HoldOptions& options) {
+  return record.clockFault.empty() && options.control.law != "off";
+}
+
+/// Names of all passes, in the order in which they came first.
+std::vector<std::string_view> passNames(const HoldRecord& record) {
+  std::vector<std::string_view> names;
+  for (const HoldFrameRecord& frame : record.frames) {
+    for (const auto& [name, ms] : frame.passMs) {
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
+  const control::HoldMeasures& m = record.measures;
+  ordered_json json{{"schema", 1},
+                    {"commit", MACULA_COMMIT},
+                    {"scene", options.scene},
+                    {"width", record.size.x},
+                    {"height", record.size.y},
+                    {"gl", {{"renderer", record.glRenderer}, {"version", record.glVersion}}},
+                    {"time_source", record.timeSource},
+                    {"clock_fault", nullptr},
+                    {"law", options.control.law},
+                    {"target_ms", record.targetMs},
+                    {"target_share", nullptr},
+                    {"frames", record.held.size()},
+                    {"settings", options.registry.toJson()}};
+  if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;
+  if (options.targetShare) json["target_share"] = *options.targetShare;
+  json["loads"] = ordered_json::array();
+  for (const LoadTimes& load : record.loads) {
+    json["loads"].push_back({{"times", load.times},
+                             {"full_rate_ms", load.fullRateMs},
+                             {"work_ms", load.model.workMs},
+                             {"rest_ms", load.model.restMs},
+                             {"ideal_r", load.model.idealResize},
+                             {"least_ms", load.leastMs}});
+  }
+  json["steps"] = ordered_json::array();
+  for (const LoadStep& step : record.steps) {
+    json["steps"].push_back({{"frame", step.frame}, {"times", step.times}});
+  }
+  json["gate"] = {{"tolerance", m.tolerance},
+                  {"share", control::kGateShare},
+                  {"within", m.withinTolerance},
+                  {"met", m.met}};
+  if (!isControlled(record, options)) json["gate"]["met"] = nullptr;
+  json["held"] = measuresJson(m);
+  json["fixed"] = {
+      {"r", record.fixedResize}, {"spread", m.fixedSpread}, {"within_tolerance", m.fixedWithin}};
+  json["parts"] = ordered_json::array();
+  for (const control::HoldPart& part : m.parts) json["parts"].push_back(partJson(part, record));
+  json["notices"] = ordered_json::array();
+  for (const HoldNotice& notice : record.notices) {
+    json["notices"].push_back({{"frame", notice.frame}, {"text", notice.text}});
+  }
+  return json;
+}
+
+std::string toCsv(const HoldRecord& record) {
+  const std::vector<std::string_view> names = passNames(record);
+  std::string csv =
+      "frame,time_s,load,r,lever_resize,fovea_slope,layer_share,ms,resizable_ms,fixed_r_ms";
+  for (const std::string_view name : names) csv += fmt::format(",ms.{}", name);
+  csv += "\n";
+  for (std::size_t i = 0; i < record.held.size(); ++i) {
+    const control::HeldFrame& held = record.held[i];
+    const HoldFrameRecord& frame = record.frames[i];
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", i, frame.timeSeconds, frame.load,
+                       held.resize, frame.levers.resize, frame.levers.foveaSlope,
+                       frame.levers.layerShare, held.ms, held.resizableMs, held.fixedMs);
+    for (const std::string_view name : names) {
+      const auto pass =
+          std::ranges::find(frame.passMs, name, [](const auto& p) { return p.first; });
+      csv += pass == frame.passMs.end() ? "," : fmt::format(",{}", pass->second);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+ordered_json pageData(const HoldRecord& record, const HoldOptions& options) {
+  ordered_json data = toJson(record, options);
+  data.erase("settings");
+  ordered_json trace{{"ms", ordered_json::array()},
+                     {"fixed_ms", ordered_json::array()},
+                     {"r", ordered_json::array()},
+                     {"fovea_slope", ordered_json::array()},
+                     {"layer_share", ordered_json::array()}};
+  for (std::size_t i = 0; i < record.held.size(); ++i) {
+    trace["ms"].push_back(rounded(record.held[i].ms));
+    trace["fixed_ms"].push_back(rounded(record.held[i].fixedMs));
+    trace["r"].push_back(rounded(record.held[i].resize));
+    trace["fovea_slope"].push_back(
+        rounded(static_cast<double>(record.frames[i].levers.foveaSlope)));
+    trace["layer_share"].push_back(
+        rounded(static_cast<double>(record.frames[i].levers.layerShare)));
+  }
+  data["trace"] = trace;
+  return data;
+}
+
+std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
+  const control::HoldMeasures& m = record.measures;
+  std::string text;
+  for (const LoadTimes& load : record.loads) {
+    text += fmt::format(
+        "load {}: full rate {:.2f} ms; at r: {:.2f} / r^2 + {:.2f} ms; least {:.2f}", load.times,
+        load.fullRateMs, load.model.workMs, load.model.restMs, load.leastMs);
+    text += fmt::format(" ms; ideal r {:.2f}\n", load.model.idealResize);
+    if (record.targetMs < load.leastMs) {
+      text += fmt::format(
+          "  r alone does not reach {:.2f} ms; with this load it holds {:.2f} to {:.2f}\n",
+          record.targetMs, load.leastMs, load.fullRateMs);
+    }
+  }
+  text += fmt::format("target {:.2f} ms by {}: median {:.2f}, p95 {:.2f}, p99 {:.2f} ms\n",
+                      record.targetMs, options.control.law, m.p50Ms, m.p95Ms, m.p99Ms);
+  for (const control::HoldPart& part : m.parts) {
+    text += fmt::format("frames {} to {}, load {}: {}; {:.1f} % of the ideal's pixels\n",
+                        part.begin, part.end - 1, record.frames[part.begin].load,
+                        part.settleFrames
+                            ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
+                            : std::string("never settled"),
+                        kPercent * part.usedPixels);
+  }
+  text += fmt::format("over 1.02 T {:.1f} %, over 1.1 T {:.1f} %, at most {} in a row\n",
+                      kPercent * m.over102, kPercent * m.over110, m.longestOver);
+  text += fmt::format("fixed r {:.2f}: spread {:.1f} %, {:.1f} % of its frames within {:.1f} %\n",
+                      record.fixedResize, kPercent * m.fixedSpread, kPercent * m.fixedWithin,
+                      kPercent * m.tolerance);
+  for (const HoldNotice& notice : record.notices) {
+    text += fmt::format("frame {}: {}\n", notice.frame,
+                        notice.text.empty() ? "as before" : notice.text);
+  }
+  const std::string verdict = !isControlled(record, options)
+                                  ? "not judged, for nothing is controlled"
+                              : m.met ? "met"
+                                      : "missed";
+  text +=
+      fmt::format("within 5 % and the spread: {:.1f} % of {} frames (to reach: {:.0f} %): {}\n",
+                  kPercent * m.withinTolerance, m.judged, kPercent * control::kGateShare, verdict);
+  return text;
+}
+
+}  // namespace macula::tools

@@ -1,0 +1,64 @@
+// What a run of `macula hold SCENE` has found, and its files.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/control/hold_measures.h"
+#include "engine/frame/frame_inputs.h"
+#include "hold.h"
+#include "passes/frame_renderer.h"
+
+namespace macula::tools {
+
+/// One load, measured before the run at the path's begin.
+struct LoadTimes {
+  int times = 1;
+  double fullRateMs = 0.0;  ///< median at r = 1
+  double leastMs = 0.0;     ///< K / r^2 + C at r's end
+  control::HoldPart model;  ///< K, C and the ideal r for the target
+};
+
+/// A frame with what the measures leave out.
+struct HoldFrameRecord {
+  double timeSeconds = 0.0;  ///< on the path
+  int load = 1;
+  frame::Levers levers;  ///< as asked for; resize 0 where nothing was controlled
+  std::vector<std::pair<std::string_view, double>> passMs;  ///< names live as long as the renderer
+};
+
+struct HoldNotice {
+  std::size_t frame = 0;
+  std::string text;  ///< empty: the one before is over
+};
+
+struct HoldRecord {
+  double targetMs = 0.0;
+  double fixedResize = 1.0;
+  std::string clockFault;
+  std::string timeSource;
+  std::string glRenderer;
+  std::string glVersion;
+  glm::ivec2 size{0};
+  std::vector<LoadStep> steps;
+  std::vector<LoadTimes> loads;
+  std::vector<control::HeldFrame> held;
+  std::vector<HoldFrameRecord> frames;
+  std::vector<HoldNotice> notices;
+  control::HoldMeasures measures;
+};
+
+/// results.json, without frames.
+[[nodiscard]] nlohmann::ordered_json toJson(const HoldRecord& record, const HoldOptions& options);
+/// results.csv: a row a frame.
+[[nodiscard]] std::string toCsv(const HoldRecord& record);
+/// What report.html draws: results.json with the frames.
+[[nodiscard]] nlohmann::ordered_json pageData(const HoldRecord& record, const HoldOptions& options);
+/// Lines for a terminal.
+[[nodiscard]] std::string summaryOf(const HoldRecord& record, const HoldOptions& options);
+
+}  // namespace macula::tools
