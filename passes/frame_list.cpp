@@ -4,10 +4,12 @@
 #include "passes/gbuffer_pass.h"
 #include "passes/heatmap_pass.h"
 #include "passes/lighting_pass.h"
+#include "passes/lod/depth_pass.h"
 #include "passes/lod/holes_pass.h"
 #include "passes/lod/rates_pass.h"
 #include "passes/lod/reconstruct_pass.h"
 #include "passes/lod/shade_pass.h"
+#include "passes/lod/transparency_pass.h"
 #include "passes/oit/allocate_pass.h"
 #include "passes/oit/atomic_keys_pass.h"
 #include "passes/oit/blend_pass.h"
@@ -49,7 +51,8 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<LodReconstructPass>(lod));
   passes.push_back(std::make_unique<LodHolesPass>(lod));
   passes.push_back(std::make_unique<LightingPass>(lod));
-  // Transparent, over the opaque image
+  // Transparent, over the opaque image or apart from it
+  passes.push_back(std::make_unique<LodDepthPass>(lod));
   passes.push_back(std::make_unique<BlendPass>(plan));
   passes.push_back(std::make_unique<WeightedPass>(plan));
   passes.push_back(std::make_unique<WeightedResolvePass>(plan));
@@ -75,11 +78,14 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<RoutedPass>(plan));
   passes.push_back(std::make_unique<CapturePass>(plan));
   passes.push_back(std::make_unique<ResolvePass>(plan));
+  passes.push_back(std::make_unique<LodTransparencyPass>(lod));
   // What is shown
   passes.push_back(std::make_unique<TonemapPass>(settings.tonemap));
   passes.push_back(
       std::make_unique<HeatmapPass>(settings.heatmap, plan, lod, settings.tonemap.ssaa));
-  return {std::move(passes), {Resource::DisplayColor, Resource::LinearColor, Resource::OitTotals}};
+  return {
+      std::move(passes),
+      {Resource::DisplayColor, Resource::LinearColor, Resource::OitTotals, Resource::LodTotals}};
 }
 
 frame::FrameInputs inputsOf(const scene::SceneFacts& facts) {

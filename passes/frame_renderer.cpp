@@ -3,13 +3,9 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
-#include "engine/frame/pass_context.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/view.h"
 #include "passes/frame_list.h"
-#include "passes/oit/oit_pass.h"
-#include "shared/bindings.h"
-#include "shared/frame_constants.h"
 #include "shared/lod_totals.h"
 
 namespace macula::passes {
@@ -21,8 +17,9 @@ namespace {
 /// N_limit before anything was counted: the paper's own range is 20 to 30 (Vasilakis 2017, 3.2).
 constexpr float kFirstLayerLimit = 30.0F;
 
-/// Whose work follows 1 / r^2; the second where nothing can be resized.
+/// Whose work follows 1 / r^2: opaque and transparent; the last where nothing can be resized.
 constexpr std::string_view kShadePass = "lod.shade";
+constexpr std::string_view kTransparencyPasses = "oit.";
 constexpr std::string_view kLightingPass = "lighting";
 
 /// Fragments that heap sort and composition handle in 65,535 loop iterations: n log2 n + 3 n.
@@ -62,7 +59,8 @@ FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
       statistics_(plan_),
       list_(makeFrameList(settings, plan_, lod_)),
       timer_(machine.time.source),
-      constants_("frame constants", sizeof(shader::FrameConstants)) {
+      constants_("frame constants", sizeof(shader::FrameConstants)),
+      resizedConstants_("frame constants of resized transparency", sizeof(shader::FrameConstants)) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -124,48 +122,14 @@ void FrameRenderer::restart() {
   ++steps_.restarts;
 }
 
-void FrameRenderer::uploadConstants() {
-  const glm::vec2 size(inputs_.displaySize);
-  shader::FrameConstants c{};
-  c.viewProjection = inputs_.view.viewProjection;
-  c.inverseViewProjection = inputs_.view.inverseViewProjection;
-  c.eye = glm::vec4(inputs_.view.camera.position, 1.0F);
-  c.size = glm::vec4(size, 1.0F / size);
-  // GL counts rows from the bottom, gaze from the top.
-  const gaze::PointOfInterest& gaze = inputs_.gaze;
-  c.gaze = glm::vec4(gaze.position.x * size.x, (1.0F - gaze.position.y) * size.y,
-                     std::max(gaze.radius - gaze::kFoveaRadius, 0.0F) * size.y, 0.0F);
-  c.background = glm::vec4(settings_.background, 1.0F);
-  c.frame = glm::uvec4(inputs_.frameIndex, inputs_.historyValid ? 1U : 0U, settings_.seed, 0U);
-  c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(inputs_.displaySize),
-                     plan_.options.cullWords);
-  c.slices = glm::vec4(inputs_.view.camera.nearPlane, inputs_.view.camera.farPlane,
-                       plan_.importance.slices, plan_.importance.tile);
-  describeLod(c);
-  c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
-  constants_.upload(&c, sizeof(c));
-  glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_.id());
-}
-
-void FrameRenderer::describeLod(shader::FrameConstants& c) const {
-  const scene::View& view = inputs_.view;
-  const glm::mat3 axes(glm::transpose(glm::mat3(view.view)));
-  // The projection scales by the inverse of what the view spans at distance 1.
-  c.right = glm::vec4(axes[0] / view.projection[0][0], 0.0F);
-  c.up = glm::vec4(axes[1] / view.projection[1][1], 0.0F);
-  c.ahead = glm::vec4(-axes[2], 0.0F);
-  const float nearPlane = view.camera.nearPlane;
-  const float farPlane = view.camera.farPlane;
-  c.depth = glm::vec4((farPlane - nearPlane) / (nearPlane * farPlane), 1.0F / farPlane, 0.0F, 0.0F);
-  const auto r = static_cast<float>(lod_.resize);
-  c.resize = glm::vec4(r, 1.0F / r, lod_.viewerSamples, 0.0F);
-  c.lodSize = glm::ivec4(lod_.texels, lod_.tiles);
-  c.acuity = lod_.acuity;
+frame::PassContext FrameRenderer::passContext() {
+  return {inputs_, resources_, {constants_.id(), resizedConstants_.id()}};
 }
 
 shader::OitTotals FrameRenderer::runOnce() {
   uploadConstants();
-  frame::PassContext context(inputs_, resources_);
+  frame::PassContext context = passContext();
+  context.bindConstants(frame::Raster::Image);
   list_.run(context, timer_);
   shader::OitTotals totals{};
   if (resources_.has(Resource::OitTotals)) {
@@ -192,6 +156,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
                                         : kFirstLayerLimit;
   planFrame(lod_, settings_.lod, settings_.foveation, inputs_, settings_.tonemap.ssaa);
   lod_.load = shadingLoad_;
+  planTransparency();
   shader::OitTotals totals = runOnce();
   extraMs_ = 0.0;
   int recaptures = 0;
@@ -207,6 +172,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   deepestSeen_ = std::max(deepestSeen_, result.deepest);
   lastViewProjection_ = inputs_.view.viewProjection;
   lastCamera_ = camera;
+  lastTransparencySize_ = plan_.size;
   historyUsable_ = true;
   ++inputs_.frameIndex;
   ++steps_.frames;
@@ -219,7 +185,7 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
   result.totalMs = timer_.totalMs() + extraMs_;
   result.passes = list_.times();
   for (const frame::PassTime& pass : result.passes) {
-    if (pass.name == (lod_.wanted ? kShadePass : kLightingPass)) result.resizableMs += pass.ms;
+    if (isResizable(pass.name)) result.resizableMs += pass.ms;
   }
   result.lockFailures = totals.lockFailures;
   countShading(result);
@@ -233,12 +199,20 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
   return result;
 }
 
+bool FrameRenderer::isResizable(std::string_view pass) const {
+  if (lod_.transparency && pass.starts_with(kTransparencyPasses)) return true;
+  if (lod_.wanted) return pass == kShadePass;
+  return !lod_.transparency && pass == kLightingPass;
+}
+
 void FrameRenderer::countShading(FrameResult& result) const {
   const auto area = [](glm::ivec2 size) {
     return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   };
   result.resizeFactor = lod_.resize;
-  result.shading = {.pixels = area(inputs_.displaySize), .shaded = area(lod_.texels), .holes = 0};
+  const std::uint64_t pixels = area(inputs_.displaySize);
+  result.shading = {
+      .pixels = pixels, .shaded = lod_.wanted ? area(lod_.texels) : pixels, .holes = 0};
   if (!lod_.wanted || lod_.fullRate()) return;
   shader::LodTotals totals{};
   resources_.buffer(Resource::LodTotals).download(&totals, sizeof(totals));
@@ -248,7 +222,7 @@ void FrameRenderer::countShading(FrameResult& result) const {
 }
 
 void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult& result) {
-  frame::PassContext context(inputs_, resources_);
+  frame::PassContext context = passContext();
   const shader::OitStatistics s = statistics_.measure(context);
   const Method& method = *plan_.method;
   FragmentCounts counts;
@@ -276,7 +250,8 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
       machine_.capabilities.maxLoopIterations == 0 || s.countMax <= deepest;
   const bool keepsOrder = plan_.sync != SyncMode::None || method.insertion != Insertion::Sorted;
   result.exact = counts.lost == 0 && counts.merged == 0 && keepsOrder && sortable &&
-                 !plan_.packed() && method.insertion != Insertion::StencilRouted;
+                 !plan_.packed() && !plan_.resized() &&
+                 method.insertion != Insertion::StencilRouted;
 }
 
 void FrameRenderer::readDisplay(std::vector<std::uint8_t>& rgb) const {

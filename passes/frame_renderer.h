@@ -6,10 +6,12 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/frame/frame_list.h"
 #include "engine/frame/frame_resources.h"
+#include "engine/frame/pass_context.h"
 #include "engine/scene/gpu_scene.h"
 #include "passes/lod/plan.h"
 #include "passes/machine.h"
@@ -21,7 +23,8 @@
 
 namespace macula::passes {
 
-/// Fragments of one frame. generated = stored + merged + lost.
+/// Fragments of one frame, at the rate at which transparency is drawn. generated = stored + merged
+/// + lost.
 struct FragmentCounts {
   std::uint64_t generated = 0;  ///< pass opaque depth
   std::uint64_t stored = 0;
@@ -54,7 +57,7 @@ struct FrameResult {
   std::uint32_t deepest = 0;    ///< largest number of fragments in a sample
   std::uint64_t tailSlots = 0;  ///< slots that hold tails
   std::uint32_t lockFailures = 0;
-  bool exact = false;  ///< every fragment reached the image in its place
+  bool exact = false;  ///< every fragment reached the image in its place, at full rate
   int recaptures = 0;  ///< times the frame was drawn again with a larger pool
 };
 
@@ -129,10 +132,14 @@ class FrameRenderer {
   void planRoutedSamples();
   void sizePool(std::uint32_t slots);
   void allocate();
+  void planTransparency();
   void uploadConstants();
+  [[nodiscard]] shader::FrameConstants constantsFor(glm::ivec2 samples) const;
+  [[nodiscard]] frame::PassContext passContext();
   [[nodiscard]] shader::OitTotals runOnce();
   [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);
   void describeLod(shader::FrameConstants& constants) const;
+  [[nodiscard]] bool isResizable(std::string_view pass) const;
   void countShading(FrameResult& result) const;
   void countFragments(const shader::OitTotals& totals, FrameResult& result);
 
@@ -146,11 +153,13 @@ class FrameRenderer {
   frame::FrameList list_;
   gl::FrameTimer timer_;
   gl::Buffer constants_;
+  gl::Buffer resizedConstants_;  ///< the same in texels of resized transparency
   std::optional<scene::Camera> lastCamera_;
   std::uint32_t deepestSeen_ = 0;
   double extraMs_ = 0.0;
   int shadingLoad_ = 1;
   glm::mat4 lastViewProjection_{1.0F};
+  glm::ivec2 lastTransparencySize_{0};
   bool mayResize_ = false;  ///< a lever has asked for less than full rate
   bool prepared_ = false;
   bool historyUsable_ = false;

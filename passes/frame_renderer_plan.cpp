@@ -90,6 +90,17 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
   }
 }
 
+void FrameRenderer::planTransparency() {
+  plan_.size = lod_.transparencySize();
+  plan_.historyValid = inputs_.historyValid && plan_.size == lastTransparencySize_;
+  const Method& method = *plan_.method;
+  if (method.hasBudget() && method.allocation == Allocation::Constant &&
+      method.insertion != Insertion::StencilRouted) {
+    // The same slots for fewer texels. Of kb-stencil the samples of the others lie idle.
+    plan_.layers = layersOf(plan_);
+  }
+}
+
 void FrameRenderer::allocate() {
   try {
     list_.prepare(inputs_, resources_, machine_.programs,
@@ -112,6 +123,8 @@ void FrameRenderer::prepare() {
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
   planMethod(samples);
   planLod(lod_, settings_.lod, settings_.foveation, inputs_.facts, mayResize_);
+  plan_.resizable = lod_.transparency;
+  plan_.imageSize = inputs_.displaySize;
   resources_.setBufferBytes(Resource::OitTotals, sizeof(shader::OitTotals));
   const glm::ivec2 size = inputs_.displaySize;
   const glm::ivec2 tiles = (size + plan_.importance.tile - 1) / plan_.importance.tile;

@@ -106,6 +106,10 @@ void HeatmapPass::execute(frame::PassContext& context) {
   glUniform1i(1, samplesPerAxis_);
   const Resource source = find(settings_.map)->source;
   if (source == Resource::FragmentRange) glUniform1ui(2, plan_.tailSlots());
+  if (source != Resource::ShadingRate) {
+    const glm::vec2 texels = glm::vec2(plan_.size) / glm::vec2(plan_.imageSize);
+    glUniform2f(4, texels.x, texels.y);
+  }
   if (source == Resource::ShadingRate) {
     glUniform1f(3, static_cast<float>(static_cast<double>(samplesPerAxis_) / lod_.resize));
   }

@@ -25,19 +25,25 @@ layout(location = 2) uniform uint tailSlots;  // of a pixel that has a tail
 
 #ifdef SOURCE_RATE
 layout(location = 3) uniform float texelsOfPixel;  // of the resized image
+#else
+layout(location = 4) uniform vec2 texelsOfSample;  // at which transparency is drawn; 1 at full rate
+#endif
+
+#ifndef SOURCE_RATE
+ivec2 texelOf(ivec2 p) { return ivec2((vec2(p * samplesPerAxis) + 0.5) * texelsOfSample); }
 #endif
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(p, imageSize(displayColor)))) return;
 #ifdef SOURCE_INTEGER
-  uint slots = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
+  uint slots = texelFetch(source, texelOf(p), 0).SOURCE_CHANNEL;
   float value = float((slots & ~RANGE_TAIL) + ((slots & RANGE_TAIL) != 0u ? tailSlots : 0u));
 #elif defined(SOURCE_RATE)
   ivec2 tile = ivec2((vec2(p) + 0.5) * texelsOfPixel) >> LOD_TILE_SHIFT;
   float value = float(levelAround(texelFetch(source, tile, 0).r, ivec2(0)));
 #else
-  float value = texelFetch(source, p * samplesPerAxis, 0).SOURCE_CHANNEL;
+  float value = texelFetch(source, texelOf(p), 0).SOURCE_CHANNEL;
 #endif
   vec3 image = imageLoad(displayColor, p).rgb;
   // Where there is nothing to show, the image stays to be recognised, without its colours.

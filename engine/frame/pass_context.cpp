@@ -1,5 +1,7 @@
 #include "engine/frame/pass_context.h"
 
+#include "shared/bindings.h"
+
 namespace macula::frame {
 
 void PassContext::bindTexture(GLuint unit, Resource r) const {
@@ -15,11 +17,19 @@ void PassContext::bindStorage(GLuint binding, Resource r) const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, resources_.buffer(r).id());
 }
 
+void PassContext::bindConstants(Raster raster) const {
+  glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_[static_cast<std::size_t>(raster)]);
+}
+
 void PassContext::bindTargets(std::initializer_list<Resource> colors, Resource depth) const {
+  const gl::Texture& sized = resources_.texture(colors.size() > 0 ? *colors.begin() : depth);
+  bindTargets(colors, depth, {sized.width(), sized.height()});
+}
+
+void PassContext::bindTargets(std::initializer_list<Resource> colors, Resource depth,
+                              glm::ivec2 viewport) const {
   glBindFramebuffer(GL_FRAMEBUFFER, resources_.framebuffer(colors, depth));
-  const Resource sized = colors.size() > 0 ? *colors.begin() : depth;
-  const gl::Texture& texture = resources_.texture(sized);
-  glViewport(0, 0, texture.width(), texture.height());
+  glViewport(0, 0, viewport.x, viewport.y);
 }
 
 void PassContext::dispatch(glm::ivec2 threads, glm::ivec2 group) const {

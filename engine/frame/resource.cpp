@@ -24,6 +24,8 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::LodHoles, "level-of-detail holes", 0, Bytes, B::Other, C::Never},
     {R::ShadingParts, "shading parts", GL_RGBA8, Display, B::Other, C::Never},
     {R::HdrColor, "HDR colour", GL_RGBA16F, Display, B::Other, C::Background},
+    {R::ResizedDepth, "resized depth", GL_DEPTH_COMPONENT32F, DisplayOverR, B::Overhead, C::Never},
+    {R::ResizedColor, "resized transparency", GL_RGBA16F, DisplayOverR, B::Overhead, C::Never},
     // 32-bit, because 16-bit floats stop counting at 2,048.
     {R::FragmentCount, "fragment count", GL_R32F, Display, B::Overhead, C::Zero},
     {R::PredictedCount, "predicted count", GL_R32F, Display, B::Overhead, C::Never},

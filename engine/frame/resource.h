@@ -25,6 +25,8 @@ enum class Resource : std::uint8_t {
   LodHoles,           ///< pixels that no sample fits
   ShadingParts,       ///< shadow, ambient occlusion, noise of each pixel
   HdrColor,           ///< linear radiance of the image so far
+  ResizedDepth,       ///< opaque depth of the texels at which resized transparency is drawn
+  ResizedColor,       ///< resized transparency over nothing: premultiplied colour, coverage
   FragmentCount,      ///< transparent fragments per pixel that pass opaque depth
   PredictedCount,     ///< the same as the last frame lets expect
   FrontNormal,        ///< normal of the nearest transparent fragment; kept as history

@@ -37,8 +37,9 @@ void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings
   const bool something =
       plan.parts.shading || plan.parts.shadow || plan.parts.occlusion || plan.parts.noise;
   plan.foveated = foveation.enabled;
-  plan.wanted = facts.litOpaque && something &&
-                (settings.resize > control::kLeastResize || foveation.enabled || mayResize);
+  const bool resizes = settings.resize > control::kLeastResize || mayResize;
+  plan.wanted = facts.litOpaque && something && (resizes || foveation.enabled);
+  plan.transparency = settings.transparency && facts.transparentTriangles > 0 && resizes;
   plan.reconstruction = settings.reconstruction;
   plan.holes = settings.holes;
   plan.demodulates = settings.demodulate && plan.parts.shading &&
@@ -50,7 +51,9 @@ void planFrame(LodPlan& plan, const LodSettings& settings, const FoveationSettin
                const frame::FrameInputs& inputs, int samplesPerAxis) {
   const frame::Levers& levers = inputs.levers;
   const double asked = levers.resize > 0.0F ? static_cast<double>(levers.resize) : settings.resize;
-  plan.resize = plan.wanted ? std::clamp(asked, control::kLeastResize, control::kMostResize) : 1.0;
+  plan.resize = plan.wanted || plan.transparency
+                    ? std::clamp(asked, control::kLeastResize, control::kMostResize)
+                    : 1.0;
   plan.size = inputs.displaySize;
   plan.texels = resizedTexels(inputs.displaySize, plan.resize);
   plan.tiles = (plan.texels + LOD_TILE - 1) / LOD_TILE;

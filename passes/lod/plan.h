@@ -23,8 +23,10 @@ struct LodPlan {
   glm::vec2 sigma{0.0F};     ///< of normals and of depth, for yang2008
   bool demodulates = false;  ///< samples hold light without the surface's colour
   bool foveated = false;
+  /// Transparent surfaces may be drawn at 1/r, too. Foveation does not apply to them.
+  bool transparency = false;
 
-  double resize = 1.0;      ///< r
+  double resize = 1.0;      ///< r; 1 where nothing is resized
   glm::ivec2 size{0};       ///< samples of the image
   glm::ivec2 texels{0};     ///< of the resized image L
   glm::ivec2 tiles{0};      ///< of L
@@ -34,6 +36,10 @@ struct LodPlan {
 
   /// Whether this frame shades every pixel, so that nothing is reconstructed.
   [[nodiscard]] bool fullRate() const { return resize == 1.0 && !foveated; }
+  /// Whether this frame draws transparency at less than full rate.
+  [[nodiscard]] bool resizesTransparency() const { return transparency && texels != size; }
+  /// Samples at which this frame draws transparency.
+  [[nodiscard]] glm::ivec2 transparencySize() const { return transparency ? texels : size; }
   /// Whether pixels without a fitting sample are shaded.
   [[nodiscard]] bool shadesHoles() const {
     return holes == Holes::Shade && reconstruction != Reconstruction::Bilinear;

@@ -30,13 +30,13 @@ void AllocatePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& p
   program_ = programs.get({{"oit/allocate.comp"}, defines, {}});
 }
 
-void AllocatePass::execute(frame::PassContext& context) {
+void AllocatePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   if (plan_.mapsImportance()) context.bindImage(IMG_2, Resource::Importance, GL_READ_ONLY);
   bindHandOut(context, plan_);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

@@ -10,11 +10,11 @@ class AllocatePass final : public OitPass {
   using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.allocate"; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
 
   GLuint program_ = 0;
 };

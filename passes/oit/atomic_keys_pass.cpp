@@ -13,7 +13,7 @@ bool AtomicKeysPass::wanted() const {
 }
 
 void AtomicKeysPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(plan_.culls() ? Resource::CullDepth : Resource::Depth, Use::DepthTarget);
+  readsTestedDepth(d, Use::DepthTarget);
   d.writes(Resource::FragmentKeys, Use::Storage);
 }
 
@@ -26,12 +26,12 @@ void AtomicKeysPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& pro
   ids_.prepare(runs, "oit/atomic_keys.frag", ids, {}, programs);
 }
 
-void AtomicKeysPass::execute(frame::PassContext& context) {
+void AtomicKeysPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   constexpr GLuint kEmpty = NO_KEY;
   glClearNamedBufferData(context.resources().buffer(Resource::FragmentKeys).id(), GL_R32UI,
                          GL_RED_INTEGER, GL_UNSIGNED_INT, &kEmpty);
-  context.bindTargets({}, plan_.culls() ? Resource::CullDepth : Resource::Depth);
+  bindTargets(context, {}, plan_.testedDepth());
   gl::apply({.depthTest = true});
   context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
   depths_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);

@@ -35,7 +35,10 @@ void bindBids(const frame::PassContext& context, const OitPlan& plan) {
   if (plan.mapsImportance()) context.bindImage(IMG_2, Resource::Importance, GL_READ_ONLY);
   if (plan.slices()) {
     context.bindStorage(SSBO_SLICES, Resource::SliceSums);
+    // The opaque image, also where transparency is resized.
     context.bindTexture(TEX_INPUT1, Resource::HdrColor);
+    const glm::vec2 pitch = glm::vec2(plan.imageSize) / glm::vec2(plan.size);
+    glUniform2f(1, pitch.x, pitch.y);
     glUniform2f(0, static_cast<float>(plan.importance.periphery),
                 static_cast<float>(plan.importance.gazeWeight));
   }

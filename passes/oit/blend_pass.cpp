@@ -14,8 +14,8 @@ bool BlendPass::wanted() const {
 
 void BlendPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(Resource::Depth, Use::DepthTarget);
-  d.modifies(Resource::HdrColor, Use::ColorTarget);
+  readsDepth(d, Use::DepthTarget);
+  modifiesColor(d, Use::ColorTarget);
 }
 
 void BlendPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
@@ -23,9 +23,9 @@ void BlendPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs
                     programs);
 }
 
-void BlendPass::execute(frame::PassContext& context) {
+void BlendPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::HdrColor}, Resource::Depth);
+  bindTargets(context, {plan_.color()}, plan_.depth());
   gl::apply({.depthTest = true, .blend = gl::Blend::Premultiplied});
   gpu.bindLights();
   context.bindTexture(TEX_SHADOW_MAP, Resource::ShadowMap);

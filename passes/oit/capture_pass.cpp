@@ -15,7 +15,7 @@ bool CapturePass::wanted() const {
 void CapturePass::declareWork(frame::PassDeclaration& d) const {
   const Insertion insertion = plan_.method->insertion;
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(plan_.culls() ? Resource::CullDepth : Resource::Depth, Use::DepthTarget);
+  readsTestedDepth(d, Use::DepthTarget);
   if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Image);
   if (insertion != Insertion::AtomicMin) d.modifies(Resource::FragmentFill, Use::Image);
   if (plan_.keepsFrontNormal()) d.modifies(Resource::FrontNormal, Use::Image);
@@ -51,17 +51,17 @@ void CapturePass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
   variants_.prepare(in.gpu->transparent().runs, "oit/capture.frag", defines, extensions, programs);
 }
 
-void CapturePass::execute(frame::PassContext& context) {
+void CapturePass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   const Insertion insertion = plan_.method->insertion;
-  const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
+  const Resource depth = plan_.testedDepth();
   if (plan_.denseTail() || plan_.predictsCounts()) {
-    context.bindTargets({plan_.denseTail() ? Resource::TailSums : Resource::FragmentCount}, depth);
+    bindTargets(context, {plan_.denseTail() ? Resource::TailSums : Resource::FragmentCount}, depth);
     gl::apply({.depthTest = true, .blend = gl::Blend::Add});
     constexpr GLfloat kNone[4]{};
     glClearBufferfv(GL_COLOR, 0, kNone);
   } else {
-    context.bindTargets({}, depth);
+    bindTargets(context, {}, depth);
     gl::apply({.depthTest = true});
   }
   gpu.bindLights();

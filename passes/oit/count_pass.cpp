@@ -13,7 +13,7 @@ bool CountPass::wanted() const {
 }
 
 void CountPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::Depth, Use::DepthTarget);
+  readsDepth(d, Use::DepthTarget);
   d.writes(Resource::FragmentCount, Use::ColorTarget);
   if (plan_.findsRange()) d.writes(Resource::DepthRange, Use::ColorTarget);
 }
@@ -24,16 +24,16 @@ void CountPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs
   variants_.prepare(in.gpu->transparent().depthRuns, "oit/count.frag", defines, {}, programs);
 }
 
-void CountPass::execute(frame::PassContext& context) {
+void CountPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   constexpr GLfloat kNone[4]{};
   if (plan_.findsRange()) {
-    context.bindTargets({Resource::FragmentCount, Resource::DepthRange}, Resource::Depth);
+    bindTargets(context, {Resource::FragmentCount, Resource::DepthRange}, plan_.depth());
     gl::apply({.depthTest = true, .blend = gl::Blend::AddThenMax});
     constexpr GLfloat kNoDepth[4]{-2.0F, -2.0F, 0.0F, 0.0F};  // less than any
     glClearBufferfv(GL_COLOR, 1, kNoDepth);
   } else {
-    context.bindTargets({Resource::FragmentCount}, Resource::Depth);
+    bindTargets(context, {Resource::FragmentCount}, plan_.depth());
     gl::apply({.depthTest = true, .blend = gl::Blend::Add});
   }
   glClearBufferfv(GL_COLOR, 0, kNone);

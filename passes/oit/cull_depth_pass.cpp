@@ -13,7 +13,7 @@ bool CullDepthPass::wanted() const {
 }
 
 void CullDepthPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::Depth, Use::Texture);
+  readsDepth(d, Use::Texture);
   d.reads(Resource::FragmentCount, Use::Texture);
   d.reads(Resource::DepthRange, Use::Texture);
   if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Image);
@@ -27,12 +27,12 @@ void CullDepthPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& 
   program_ = programs.get({{"oit/full_screen.vert", "oit/cull_depth.frag"}, defines, {}});
 }
 
-void CullDepthPass::execute(frame::PassContext& context) {
-  context.bindTargets({}, Resource::CullDepth);
+void CullDepthPass::run(frame::PassContext& context) {
+  bindTargets(context, {}, Resource::CullDepth);
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindTexture(TEX_INPUT1, Resource::DepthRange);
-  context.bindTexture(TEX_INPUT2, Resource::Depth);
+  context.bindTexture(TEX_INPUT2, plan_.depth());
   if (plan_.method->hasRanges()) context.bindImage(IMG_0, Resource::FragmentRange, GL_READ_ONLY);
   context.bindStorage(SSBO_OCCUPANCY, Resource::Occupancy);
   fullScreen_.draw(program_);

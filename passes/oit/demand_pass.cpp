@@ -23,13 +23,13 @@ void DemandPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& pro
   program_ = programs.get({{"oit/demand.comp"}, bidDefines(plan_), {}});
 }
 
-void DemandPass::execute(frame::PassContext& context) {
+void DemandPass::run(frame::PassContext& context) {
   glUseProgram(program_);
   bindBids(context, plan_);
   context.bindImage(IMG_0, Resource::SlotBids, GL_WRITE_ONLY);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::StripSums);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

@@ -20,11 +20,11 @@ void HistogramPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& 
   program_ = programs.get({{"oit/histogram.comp"}, {}, {}});
 }
 
-void HistogramPass::execute(frame::PassContext& context) {
+void HistogramPass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::CountBins);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

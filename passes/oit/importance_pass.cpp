@@ -25,7 +25,7 @@ void ImportancePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache&
   program_ = programs.get({{"oit/importance.comp"}, defines, {}});
 }
 
-void ImportancePass::execute(frame::PassContext& context) {
+void ImportancePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   const ImportanceSettings& s = plan_.importance;
   glUniform4f(0, static_cast<float>(s.rangeBias), static_cast<float>(s.periphery),
@@ -36,7 +36,7 @@ void ImportancePass::execute(frame::PassContext& context) {
   context.bindImage(IMG_0, Resource::Importance, GL_WRITE_ONLY);
   if (plan_.factorMaps) context.bindImage(IMG_1, Resource::ImportanceFactors, GL_WRITE_ONLY);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

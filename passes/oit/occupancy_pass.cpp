@@ -13,7 +13,7 @@ bool OccupancyPass::wanted() const {
 }
 
 void OccupancyPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::Depth, Use::DepthTarget);
+  readsDepth(d, Use::DepthTarget);
   d.reads(Resource::FragmentCount, Use::Texture);
   d.reads(Resource::DepthRange, Use::Texture);
   if (plan_.method->hasRanges()) d.reads(Resource::FragmentRange, Use::Image);
@@ -28,12 +28,12 @@ void OccupancyPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& prog
   emptied_ = false;
 }
 
-void OccupancyPass::execute(frame::PassContext& context) {
+void OccupancyPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   // Whoever counts the bits leaves the map empty again, which is cheaper than to clear all of it.
   if (!emptied_) context.resources().clear(Resource::Occupancy);
   emptied_ = true;
-  context.bindTargets({}, Resource::Depth);
+  bindTargets(context, {}, plan_.depth());
   gl::apply({.depthTest = true});
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindTexture(TEX_INPUT1, Resource::DepthRange);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 #include "engine/frame/pass.h"
@@ -34,20 +35,44 @@ class OitPass : public frame::Pass {
   void declare(frame::PassDeclaration& d) const final {
     if (wanted()) declareWork(d);
   }
+  void execute(frame::PassContext& context) final {
+    if (plan_.resized()) context.bindConstants(frame::Raster::Resized);
+    run(context);
+    if (plan_.resized()) context.bindConstants(frame::Raster::Image);
+  }
 
  protected:
   /// Whether the plan's method uses this pass.
   [[nodiscard]] virtual bool wanted() const = 0;
   /// What it touches where it is wanted.
   virtual void declareWork(frame::PassDeclaration& d) const = 0;
+  /// Its work in one frame, at the plan's size. Allocates nothing.
+  virtual void run(frame::PassContext& context) = 0;
+
+  // Which of two resources a frame uses may change from frame to frame; declarations name both.
+  void readsDepth(frame::PassDeclaration& d, frame::Use use) const {
+    d.reads(frame::Resource::Depth, use);
+    if (plan_.resizable) d.reads(frame::Resource::ResizedDepth, use);
+  }
+  void readsTestedDepth(frame::PassDeclaration& d, frame::Use use) const {
+    plan_.culls() ? d.reads(frame::Resource::CullDepth, use) : readsDepth(d, use);
+  }
+  void modifiesColor(frame::PassDeclaration& d, frame::Use use) const {
+    d.modifies(frame::Resource::HdrColor, use);
+    if (plan_.resizable) d.modifies(frame::Resource::ResizedColor, use);
+  }
+  /// Binds targets with a viewport of the plan's size.
+  void bindTargets(const frame::PassContext& context, std::initializer_list<frame::Resource> colors,
+                   frame::Resource depth) const {
+    context.bindTargets(colors, depth, plan_.size);
+  }
 
   const OitPlan& plan_;
 };
 
-/// Threads for all strips of a frame and the shape of their groups: a row of groups per row of
-/// pixels.
-inline void dispatchStrips(const frame::PassContext& context) {
-  const glm::ivec2 size = context.inputs().displaySize;
+/// Threads for all strips of so many samples and the shape of their groups: a row of groups per row
+/// of samples.
+inline void dispatchStrips(const frame::PassContext& context, glm::ivec2 size) {
   const glm::ivec2 threads((size.x + STRIP - 1) / STRIP, size.y);
   context.dispatch(threads, {STRIP_GROUP, 1});
 }

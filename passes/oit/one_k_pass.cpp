@@ -20,7 +20,7 @@ void OneKPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& progr
   program_ = programs.get({{"oit/one_k.comp"}, {}, {}});
 }
 
-void OneKPass::execute(frame::PassContext& context) {
+void OneKPass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::CountBins);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);

@@ -14,13 +14,13 @@ bool PeelPass::wanted() const {
 
 void PeelPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(Resource::Depth, Use::Texture);
+  readsDepth(d, Use::Texture);
   d.uses(Resource::PeelDepth, Use::DepthTarget);
   d.uses(Resource::PeelIds, Use::Image);
   d.uses(Resource::PeelColor, Use::ColorTarget);
   d.uses(Resource::PeelLast, Use::Image);
   d.uses(Resource::PeelSum, Use::Image);
-  d.modifies(Resource::HdrColor, Use::Image);
+  modifiesColor(d, Use::Image);
 }
 
 void PeelPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
@@ -44,7 +44,7 @@ void PeelPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs)
 
 bool PeelPass::drawDepths(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({}, Resource::PeelDepth);
+  bindTargets(context, {}, Resource::PeelDepth);
   gl::apply({.depthTest = true, .depthFunc = GL_GREATER, .depthWrite = true});
   constexpr GLfloat kFarthest = 0.0F;
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
@@ -59,8 +59,8 @@ bool PeelPass::drawDepths(frame::PassContext& context) {
 void PeelPass::drawIds(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   constexpr GLuint kNobody = NO_KEY;
-  glClearTexImage(context.resources().texture(Resource::PeelIds).id(), 0, GL_RED_INTEGER,
-                  GL_UNSIGNED_INT, &kNobody);
+  glClearTexSubImage(context.resources().texture(Resource::PeelIds).id(), 0, 0, 0, 0, plan_.size.x,
+                     plan_.size.y, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNobody);
   gl::apply({.depthTest = true, .depthFunc = GL_EQUAL});
   ids_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -68,7 +68,7 @@ void PeelPass::drawIds(frame::PassContext& context) {
 
 void PeelPass::drawColors(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::PeelColor}, Resource::PeelDepth);
+  bindTargets(context, {Resource::PeelColor}, Resource::PeelDepth);
   constexpr GLfloat kNone[4]{};
   glClearBufferfv(GL_COLOR, 0, kNone);
   gpu.bindLights();
@@ -81,20 +81,20 @@ void PeelPass::composite(frame::PassContext& context, GLuint program) {
   context.bindTexture(TEX_INPUT1, Resource::PeelDepth);
   context.bindTexture(TEX_INPUT2, Resource::PeelColor);
   context.bindImage(IMG_2, Resource::PeelSum, GL_READ_WRITE);
-  context.bindImage(IMG_3, Resource::HdrColor, GL_READ_WRITE);
-  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
+  context.bindImage(IMG_3, plan_.color(), GL_READ_WRITE);
+  context.dispatch(plan_.size, kFullScreenGroup);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 // The barriers in here order the steps of one layer; those around the pass follow from what it
 // declares.
-void PeelPass::execute(frame::PassContext& context) {
+void PeelPass::run(frame::PassContext& context) {
   const frame::FrameResources& resources = context.resources();
   constexpr GLfloat kClear[4]{0.0F, 0.0F, 0.0F, 1.0F};
   glClearTexImage(resources.texture(Resource::PeelSum).id(), 0, GL_RGBA, GL_FLOAT, kClear);
   glClearTexImage(resources.texture(Resource::PeelLast).id(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT,
                   nullptr);
-  context.bindTexture(TEX_INPUT0, Resource::Depth);
+  context.bindTexture(TEX_INPUT0, plan_.depth());
   context.bindImage(IMG_0, Resource::PeelLast, GL_READ_WRITE);
   context.bindImage(IMG_1, Resource::PeelIds, GL_READ_WRITE);
   for (int layer = 0; layer < plan_.options.layers; ++layer) {

@@ -13,11 +13,11 @@ class PeelPass final : public OitPass {
   using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.peel"; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
   /// Draws the depths of the next layer. @returns whether there was any
   bool drawDepths(frame::PassContext& context);
   void drawIds(frame::PassContext& context);

@@ -1,8 +1,10 @@
 #include "passes/oit/plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "shared/oit_constants.h"
 
 namespace macula::passes {
 namespace {
@@ -57,6 +59,13 @@ void planBudget(OitPlan& plan, std::uint64_t samples) {
   plan.budgetBytes = static_cast<std::uint64_t>(bytes);
   plan.slots = static_cast<std::uint32_t>(fragments);
   if (plan.method->allocation == Allocation::Constant) planConstant(plan, samples, bytes);
+}
+
+std::uint32_t layersOf(const OitPlan& plan) {
+  const auto samples =
+      static_cast<std::uint64_t>(plan.size.x) * static_cast<std::uint64_t>(plan.size.y);
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(plan.slots / samples, MAX_PIXEL_LAYERS));
 }
 
 gl::Defines definesOf(const OitPlan& plan) {

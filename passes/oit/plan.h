@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 
 #include "engine/frame/resource.h"
@@ -32,6 +33,26 @@ struct OitPlan {
   std::uint32_t seed = 1;
   bool factorMaps = false;          ///< importance factors are shown
   std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
+  /// Transparency may be drawn at less than full rate: depth and colour are there for both.
+  bool resizable = false;
+  glm::ivec2 imageSize{0};    ///< samples of the image
+  glm::ivec2 size{0};         ///< samples, or texels, at which this frame draws transparency
+  bool historyValid = false;  ///< and what the last one left is of this size, without a cut
+
+  /// This frame draws transparency at less than full rate, apart from the image.
+  [[nodiscard]] bool resized() const { return resizable && size != imageSize; }
+  /// Opaque depth at the samples of transparency.
+  [[nodiscard]] frame::Resource depth() const {
+    return resized() ? frame::Resource::ResizedDepth : frame::Resource::Depth;
+  }
+  /// What is drawn into: where it is resized, over nothing instead of the image.
+  [[nodiscard]] frame::Resource color() const {
+    return resized() ? frame::Resource::ResizedColor : frame::Resource::HdrColor;
+  }
+  /// What captured fragments are tested against.
+  [[nodiscard]] frame::Resource testedDepth() const {
+    return culls() ? frame::Resource::CullDepth : depth();
+  }
 
   [[nodiscard]] bool sorted() const { return method->insertion == Insertion::Sorted; }
   /// Whether each pixel has a spin lock.
@@ -83,6 +104,9 @@ struct OitPlan {
 /// @param samples width times height of the frame in samples
 /// @throws InputError where the budget holds no fragment
 void planBudget(OitPlan& plan, std::uint64_t samples);
+
+/// Slots a sample or texel where they are constant: what the pool gives those of this frame.
+[[nodiscard]] std::uint32_t layersOf(const OitPlan& plan);
 
 /// Defines that specialise the shaders of the plan's method.
 [[nodiscard]] gl::Defines definesOf(const OitPlan& plan);

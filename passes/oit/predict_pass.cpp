@@ -12,7 +12,7 @@ bool PredictPass::wanted() const {
 }
 
 void PredictPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::Depth, Use::Texture);
+  readsDepth(d, Use::Texture);
   d.readsHistory(Resource::FragmentCount, Use::Texture);
   d.readsHistory(Resource::FragmentRange, Use::Texture);
   d.readsHistory(Resource::FragmentFill, Use::Texture);
@@ -25,9 +25,9 @@ void PredictPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
   program_ = programs.get({{"oit/predict.comp"}, {}, {}});
 }
 
-void PredictPass::execute(frame::PassContext& context) {
-  if (!context.inputs().historyValid) {
-    context.bindTargets({Resource::PredictedCount}, Resource::Depth);
+void PredictPass::run(frame::PassContext& context) {
+  if (!plan_.historyValid) {
+    bindTargets(context, {Resource::PredictedCount}, plan_.depth());
     count_.draw(*context.inputs().gpu);
     return;
   }
@@ -35,10 +35,10 @@ void PredictPass::execute(frame::PassContext& context) {
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindTexture(TEX_INPUT1, Resource::FragmentRange);
   context.bindTexture(TEX_INPUT2, Resource::FragmentFill);
-  context.bindTexture(TEX_INPUT3, Resource::Depth);
+  context.bindTexture(TEX_INPUT3, plan_.depth());
   context.bindStorage(SSBO_FRAGMENT_KEYS, Resource::FragmentKeys);
   context.bindImage(IMG_0, Resource::PredictedCount, GL_WRITE_ONLY);
-  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
+  context.dispatch(plan_.size, kFullScreenGroup);
 }
 
 }  // namespace macula::passes

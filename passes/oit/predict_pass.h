@@ -12,11 +12,11 @@ class PredictPass final : public OitPass {
   using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.predict"; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
 
   CountDraw count_;
   GLuint program_ = 0;

@@ -21,14 +21,14 @@ void PrefixPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& pro
       programs.get({{"oit/prefix.comp"}, rows_ ? gl::Defines{{"ROWS", "1"}} : gl::Defines{}, {}});
 }
 
-void PrefixPass::execute(frame::PassContext& context) {
+void PrefixPass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::StripSums);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
   if (rows_) {
     context.dispatch({1, 1}, {1, 1});
   } else {
-    context.dispatch({context.inputs().displaySize.y, 1}, {STRIP_GROUP, 1});
+    context.dispatch({plan_.size.y, 1}, {STRIP_GROUP, 1});
   }
 }
 

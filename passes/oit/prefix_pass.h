@@ -12,11 +12,11 @@ class PrefixPass final : public OitPass {
       : OitPass(plan), rows_(rows), name_(rows ? "oit.prefixRows" : "oit.prefix") {}
   [[nodiscard]] std::string_view name() const override { return name_; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
 
   bool rows_;
   std::string_view name_;

@@ -23,12 +23,12 @@ void PricePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& prog
   program_ = programs.get({{"oit/price.comp"}, defines, {}});
 }
 
-void PricePass::execute(frame::PassContext& context) {
+void PricePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   bindBids(context, plan_);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  const int stride = priceStride(context.inputs().displaySize);
-  const glm::ivec2 samples = (context.inputs().displaySize + stride - 1) / stride;
+  const int stride = priceStride(plan_.size);
+  const glm::ivec2 samples = (plan_.size + stride - 1) / stride;
   context.dispatch({(samples.x + STRIP - 1) / STRIP, samples.y}, {STRIP_GROUP, 1});
 }
 

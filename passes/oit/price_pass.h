@@ -13,11 +13,11 @@ class PricePass final : public OitPass {
       : OitPass(plan), round_(round), name_("oit.price" + std::to_string(round)) {}
   [[nodiscard]] std::string_view name() const override { return name_; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
 
   int round_;
   std::string name_;

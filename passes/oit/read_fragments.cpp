@@ -53,7 +53,7 @@ measure::FragmentImage readFragments(const FrameRenderer& exact, const FrameRend
   image.height = background.height();
   const bool stored = resources.has(Resource::FragmentKeys);
   // Without a transparent surface in the scene nothing was allocated.
-  if (stored && (exact.plan().method->id != "ab-sbuffer" ||
+  if (stored && (exact.plan().method->id != "ab-sbuffer" || exact.plan().resized() ||
                  resources.texture(Resource::FragmentRange).width() != image.width ||
                  resources.texture(Resource::FragmentRange).height() != image.height)) {
     throw std::invalid_argument("fragments are read from a frame by ab-sbuffer, of one size");

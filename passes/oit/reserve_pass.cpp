@@ -21,12 +21,12 @@ void ReservePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& pr
   program_ = programs.get({{"oit/reserve.comp"}, {}, {}});
 }
 
-void ReservePass::execute(frame::PassContext& context) {
+void ReservePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindTexture(TEX_INPUT0, Resource::FragmentCount);
   context.bindImage(IMG_0, Resource::Importance, GL_READ_ONLY);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

@@ -25,14 +25,14 @@ void ResolvePass::declareWork(frame::PassDeclaration& d) const {
     if (insertion == Insertion::Linked) d.consumes(Resource::FragmentLinks, Use::Storage);
   }
   if (plan_.denseTail()) d.reads(Resource::TailSums, Use::Texture);
-  d.modifies(Resource::HdrColor, Use::Image);
+  modifiesColor(d, Use::Image);
 }
 
 void ResolvePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
   program_ = programs.get({{"oit/resolve.comp"}, definesOf(plan_), {}});
 }
 
-void ResolvePass::execute(frame::PassContext& context) {
+void ResolvePass::run(frame::PassContext& context) {
   const Insertion insertion = plan_.method->insertion;
   glUseProgram(program_);
   if (plan_.method->hasRanges()) context.bindTexture(TEX_INPUT0, Resource::FragmentRange);
@@ -50,8 +50,8 @@ void ResolvePass::execute(frame::PassContext& context) {
     }
   }
   if (plan_.denseTail()) context.bindTexture(TEX_INPUT2, Resource::TailSums);
-  context.bindImage(IMG_0, Resource::HdrColor, GL_READ_WRITE);
-  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
+  context.bindImage(IMG_0, plan_.color(), GL_READ_WRITE);
+  context.dispatch(plan_.size, kFullScreenGroup);
 }
 
 }  // namespace macula::passes

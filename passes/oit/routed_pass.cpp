@@ -15,7 +15,7 @@ bool RoutedPass::wanted() const {
 
 void RoutedPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(plan_.culls() ? Resource::CullDepth : Resource::Depth, Use::Texture);
+  readsTestedDepth(d, Use::Texture);
   d.uses(Resource::RoutedStencil, Use::DepthTarget);
   d.writes(Resource::RoutedKeys, Use::ColorTarget);
   d.writes(Resource::RoutedColors, Use::ColorTarget);
@@ -33,12 +33,12 @@ void RoutedPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
   }
 }
 
-void RoutedPass::execute(frame::PassContext& context) {
+void RoutedPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::RoutedKeys, Resource::RoutedColors}, Resource::RoutedStencil);
+  bindTargets(context, {Resource::RoutedKeys, Resource::RoutedColors}, Resource::RoutedStencil);
   constexpr GLuint kEmpty[4]{NO_KEY, NO_KEY, NO_KEY, NO_KEY};
   glClearBufferuiv(GL_COLOR, 0, kEmpty);
-  const Resource depth = plan_.culls() ? Resource::CullDepth : Resource::Depth;
+  const Resource depth = plan_.testedDepth();
   prepareRouting(routing_, fullScreen_, context.resources().texture(depth).id(), plan_.layers);
   beginRouting(mode_);
   gpu.bindLights();

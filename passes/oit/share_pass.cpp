@@ -24,14 +24,14 @@ void SharePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& prog
   program_ = programs.get({{"oit/share.comp"}, handOutDefines(plan_), {}});
 }
 
-void SharePass::execute(frame::PassContext& context) {
+void SharePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindTexture(TEX_INPUT0, plan_.countResource());
   context.bindImage(IMG_2, Resource::SlotBids, GL_READ_ONLY);
   bindHandOut(context, plan_);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
   context.bindStorage(SSBO_STRIP_SUMS, Resource::StripSums);
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
 }
 
 }  // namespace macula::passes

@@ -13,7 +13,7 @@ bool SlicesPass::wanted() const {
 }
 
 void SlicesPass::declareWork(frame::PassDeclaration& d) const {
-  d.reads(Resource::Depth, plan_.importance.tile > 1 ? Use::Texture : Use::DepthTarget);
+  readsDepth(d, plan_.importance.tile > 1 ? Use::Texture : Use::DepthTarget);
   if (plan_.importance.tile > 1) d.uses(Resource::TileDepth, Use::DepthTarget);
   d.reads(Resource::DepthRange, Use::Texture);
   d.modifies(Resource::SliceSums, Use::Storage);
@@ -28,17 +28,17 @@ void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
 }
 
 void SlicesPass::drawTileDepth(frame::PassContext& context) {
-  context.bindTargets({}, Resource::TileDepth);
-  context.bindTexture(TEX_INPUT0, Resource::Depth);
+  context.bindTargets({}, Resource::TileDepth, tiles());
+  context.bindTexture(TEX_INPUT0, plan_.depth());
   gl::apply({.depthTest = true, .depthFunc = GL_ALWAYS, .depthWrite = true});
   fullScreen_.draw(tileProgram_);
 }
 
-void SlicesPass::execute(frame::PassContext& context) {
+void SlicesPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
   const bool tiled = plan_.importance.tile > 1;
   if (tiled) drawTileDepth(context);
-  context.bindTargets({}, tiled ? Resource::TileDepth : Resource::Depth);
+  context.bindTargets({}, tiled ? Resource::TileDepth : plan_.depth(), tiles());
   gl::apply({.depthTest = true});
   gpu.bindLights();
   context.bindTexture(TEX_INPUT1, Resource::DepthRange);

@@ -12,11 +12,15 @@ class SlicesPass final : public OitPass {
   using OitPass::OitPass;
   [[nodiscard]] std::string_view name() const override { return "oit.slices"; }
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
-  void execute(frame::PassContext& context) override;
 
  private:
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
+  /// Texels of the raster that slices are summed in.
+  [[nodiscard]] glm::ivec2 tiles() const {
+    return (plan_.size + plan_.importance.tile - 1) / plan_.importance.tile;
+  }
 
   void drawTileDepth(frame::PassContext& context);
 

@@ -21,21 +21,26 @@ void OitStatisticsCounter::prepare(const frame::FrameInputs& in,
     return;
   }
   count_.prepare(in, programs);
-  if (counts_.width() != in.displaySize.x || counts_.height() != in.displaySize.y) {
+  if (counts_.width() != plan_.imageSize.x || counts_.height() != plan_.imageSize.y) {
     counts_ = {};
-    counts_ = gl::Texture("statistics counts", GL_R32F, in.displaySize.x, in.displaySize.y);
+    counts_ = gl::Texture("statistics counts", GL_R32F, plan_.imageSize.x, plan_.imageSize.y);
   }
-  GLuint id = 0;
-  glCreateFramebuffers(1, &id);
-  framebuffer_ = gl::FramebufferId(id);
-  glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, counts_.id(), 0);
-  glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, resources.texture(Resource::Depth).id(), 0);
+  const auto targetsWith = [&](Resource depth) {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, counts_.id(), 0);
+    glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, resources.texture(depth).id(), 0);
+    return gl::FramebufferId(id);
+  };
+  framebuffer_ = targetsWith(Resource::Depth);
+  if (plan_.resizable) resizedFramebuffer_ = targetsWith(Resource::ResizedDepth);
 }
 
 shader::OitStatistics OitStatisticsCounter::measure(frame::PassContext& context) {
+  if (plan_.resized()) context.bindConstants(frame::Raster::Resized);
   if (counts_) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, counts_.width(), counts_.height());
+    glBindFramebuffer(GL_FRAMEBUFFER, (plan_.resized() ? resizedFramebuffer_ : framebuffer_).id());
+    glViewport(0, 0, plan_.size.x, plan_.size.y);
     count_.draw(*context.inputs().gpu);
   }
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -50,7 +55,8 @@ shader::OitStatistics OitStatisticsCounter::measure(frame::PassContext& context)
   if (plan_.method->hasRanges()) context.bindTexture(TEX_INPUT1, Resource::FragmentRange);
   if (plan_.method->fills()) context.bindTexture(TEX_INPUT2, Resource::FragmentFill);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_OIT_STATISTICS, sums_.id());
-  dispatchStrips(context);
+  dispatchStrips(context, plan_.size);
+  if (plan_.resized()) context.bindConstants(frame::Raster::Image);
   shader::OitStatistics result{};
   sums_.download(&result, sizeof(result));
   return result;

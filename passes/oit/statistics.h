@@ -24,6 +24,7 @@ class OitStatisticsCounter {
   const OitPlan& plan_;
   CountDraw count_;
   gl::FramebufferId framebuffer_;
+  gl::FramebufferId resizedFramebuffer_;
   GLuint program_ = 0;
   gl::Texture counts_;
   gl::Buffer sums_;

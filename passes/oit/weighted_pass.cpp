@@ -14,7 +14,7 @@ bool WeightedPass::wanted() const {
 
 void WeightedPass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(Resource::Depth, Use::DepthTarget);
+  readsDepth(d, Use::DepthTarget);
   d.writes(Resource::WeightedColors, Use::ColorTarget);
   d.writes(Resource::TailSums, Use::ColorTarget);
 }
@@ -24,9 +24,9 @@ void WeightedPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progr
                     programs);
 }
 
-void WeightedPass::execute(frame::PassContext& context) {
+void WeightedPass::run(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({Resource::WeightedColors, Resource::TailSums}, Resource::Depth);
+  bindTargets(context, {Resource::WeightedColors, Resource::TailSums}, plan_.depth());
   gl::apply({.depthTest = true, .blend = gl::Blend::Add});
   constexpr GLfloat kNone[4]{};
   glClearBufferfv(GL_COLOR, 0, kNone);

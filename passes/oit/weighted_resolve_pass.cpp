@@ -14,19 +14,19 @@ bool WeightedResolvePass::wanted() const {
 void WeightedResolvePass::declareWork(frame::PassDeclaration& d) const {
   d.reads(Resource::WeightedColors, Use::Texture);
   d.reads(Resource::TailSums, Use::Texture);
-  d.modifies(Resource::HdrColor, Use::Image);
+  modifiesColor(d, Use::Image);
 }
 
 void WeightedResolvePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
   program_ = programs.get({{"oit/weighted_resolve.comp"}, {}, {}});
 }
 
-void WeightedResolvePass::execute(frame::PassContext& context) {
+void WeightedResolvePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   context.bindTexture(TEX_INPUT0, Resource::WeightedColors);
   context.bindTexture(TEX_INPUT1, Resource::TailSums);
-  context.bindImage(IMG_0, Resource::HdrColor, GL_READ_WRITE);
-  context.dispatch(context.inputs().displaySize, kFullScreenGroup);
+  context.bindImage(IMG_0, plan_.color(), GL_READ_WRITE);
+  context.dispatch(plan_.size, kFullScreenGroup);
 }
 
 }  // namespace macula::passes

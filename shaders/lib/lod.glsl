@@ -1,12 +1,12 @@
 // Where the samples of the resized image lie, and what one of them holds. A cell is what one sample
 // stands for: one texel of the resized image L, or a square of them where shading is foveated.
+#include "lib/raster.glsl"
 #include "shared/lod_totals.h"
 
 /// Full-rate pixel whose G-buffer texel lies at the middle of a cell, per axis.
 /// @param pitch full-rate pixels a cell
 ivec2 samplePixel(ivec2 cell, float pitch) {
-  ivec2 last = ivec2(frame.size.xy) - 1;
-  return min(ivec2(floor((vec2(cell) + 0.5) * pitch)), last);
+  return pixelAt(cell, vec2(pitch), ivec2(frame.size.xy));
 }
 
 /// Cells of 2^level texels a side that cover L.
@@ -30,3 +30,52 @@ vec3 sampleValue(uvec4 texel) {
 /// What light on a surface is multiplied by, roughly: colour of diffuse and metallic reflection, and
 /// the reflectance of dielectrics, so that it is never 0.
 vec3 surfaceColor(vec3 baseColor) { return baseColor + 0.04; }
+
+/// A fit below this is none: the sample lies on another surface. At it a Gaussian is 2.4 sigma out.
+const float kLeastFit = 0.05;
+
+/// Weights of the 2x2 samples around a pixel, lower left to upper right, by distance alone.
+/// @param between where the pixel lies between them, 0..1
+vec4 tentOf(vec2 between) {
+  vec2 rest = 1.0 - between;
+  return vec4(rest.x * rest.y, between.x * rest.y, rest.x * between.y, between.x * between.y);
+}
+
+/// 1 / distance along the view of a reversed depth.
+float inverseDistanceOf(float depth) { return depth * frame.depth.x + frame.depth.y; }
+
+/// Distance from the tangent plane at which a sample fits half as well, in pixels a pixel between
+/// the two.
+const float kPlaneTolerance = 0.1;
+/// The same that is always allowed: rounding of depth and normal.
+const float kPlaneSlack = 0.25;
+
+/// The plane that touches a pixel's surface, as the view sees it.
+struct TangentPlane {
+  float distance;  // of the pixel along the view
+  float facing;    // n . ray of the pixel
+  vec2 gradient;   // of n . ray, a pixel
+  float pixels;    // that span a unit at distance 1
+};
+
+TangentPlane tangentPlaneAt(ivec2 p, float inverseDistance, vec3 normal) {
+  vec2 step = 2.0 * frame.size.zw;
+  vec2 ndc = (vec2(p) + 0.5) * step - 1.0;
+  // n . ray is linear over the screen, and z n . ray is the same all over a plane.
+  vec2 gradient = vec2(dot(normal, frame.right.xyz) * step.x, dot(normal, frame.up.xyz) * step.y);
+  float facing = dot(normal, frame.ahead.xyz) + dot(normal, frame.right.xyz) * ndc.x +
+                 dot(normal, frame.up.xyz) * ndc.y;
+  return TangentPlane(1.0 / inverseDistance, facing, gradient,
+                      1.0 / (length(frame.up.xyz) * step.y));
+}
+
+/// Squared distance of a sample from the plane, 1 where it fits half as well.
+/// @param offset full-rate pixels from the pixel to the sample
+float planeMiss(TangentPlane plane, vec2 offset, float sampleInverse) {
+  // In pixels at the sample's distance.
+  float away = plane.pixels * abs(plane.facing + dot(plane.gradient, offset) -
+                                  plane.facing * plane.distance * sampleInverse);
+  vec2 reach = abs(offset);
+  float miss = away / (kPlaneSlack + kPlaneTolerance * max(reach.x, reach.y));
+  return miss * miss;
+}

@@ -34,9 +34,6 @@ layout(std430, binding = SSBO_LOD_HOLES) writeonly buffer Holes { uint holes[]; 
 layout(location = 0) uniform vec2 sigma;  // of normals over their z; of depth, share of the pixel's
 #endif
 
-/// A fit below this is none: the sample lies on another surface. At it a Gaussian is 2.4 sigma out.
-const float kLeastFit = 0.05;
-
 /// The samples around a pixel, lower left to upper right, with where the pixel lies between them.
 struct Taps {
   uvec4 texels[4];
@@ -83,11 +80,6 @@ Taps tapsAround(ivec2 p) {
 /// The far plane is the background.
 bool isSurface(uvec4 texel) { return uintBitsToFloat(texel.z) > frame.depth.y; }
 
-vec4 tentOf(vec2 between) {
-  vec2 rest = 1.0 - between;
-  return vec4(rest.x * rest.y, between.x * rest.y, rest.x * between.y, between.x * between.y);
-}
-
 #ifdef YANG2008
 /// Normal as seen from the camera, over its z (Toler-Franklin et al. 2007).
 vec2 slopeOf(vec3 n) {
@@ -112,34 +104,17 @@ vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
   return fit;
 }
 #else
-/// Distance from the tangent plane at which a sample fits half as well, in pixels a pixel between
-/// the two.
-const float kPlaneTolerance = 0.1;
-/// The same that is always allowed: rounding of depth and normal.
-const float kPlaneSlack = 0.25;
 /// By how much the cosine between normals may fall short of 1 likewise.
 const float kNormalTolerance = 0.015;
 
 vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
-  vec2 step = 2.0 * frame.size.zw;
-  vec2 ndc = (vec2(p) + 0.5) * step - 1.0;
-  // n . ray is linear over the screen, and z n . ray is the same all over a plane.
-  vec2 gradient = vec2(dot(normal, frame.right.xyz) * step.x, dot(normal, frame.up.xyz) * step.y);
-  float facing = dot(normal, frame.ahead.xyz) + dot(normal, frame.right.xyz) * ndc.x +
-                 dot(normal, frame.up.xyz) * ndc.y;
-  float pixels = 1.0 / (length(frame.up.xyz) * step.y);  // that span a unit at distance 1
-  float distance = 1.0 / inverseDistance;
+  TangentPlane tangent = tangentPlaneAt(p, inverseDistance, normal);
   vec4 fit;
   for (int i = 0; i < 4; ++i) {
     uvec4 texel = taps.texels[i];
-    vec2 offset = vec2(taps.pixels[i] - p);
-    // In pixels at the sample's distance.
-    float away = pixels * abs(facing + dot(gradient, offset) -
-                              facing * distance * uintBitsToFloat(texel.z));
-    vec2 reach = abs(offset);
-    float plane = away / (kPlaneSlack + kPlaneTolerance * max(reach.x, reach.y));
+    float plane = planeMiss(tangent, vec2(taps.pixels[i] - p), uintBitsToFloat(texel.z));
     float bend = (1.0 - dot(normal, unpackSnorm4x8(texel.w).xyz)) / kNormalTolerance;
-    float miss = 1.0 + plane * plane + bend * bend;
+    float miss = 1.0 + plane + bend * bend;
     fit[i] = isSurface(texel) ? 1.0 / (miss * miss) : 0.0;
   }
   return fit;
@@ -156,7 +131,7 @@ bool reconstruct(ivec2 p, out vec3 value) {
   vec4 fit;
   if (depth > 0.0) {
     vec3 normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
-    fit = fitOf(taps, p, depth * frame.depth.x + frame.depth.y, normal);
+    fit = fitOf(taps, p, inverseDistanceOf(depth), normal);
   } else {
     for (int i = 0; i < 4; ++i) fit[i] = isSurface(taps.texels[i]) ? 0.0 : 1.0;
   }

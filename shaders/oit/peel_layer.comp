@@ -20,8 +20,10 @@ void main() {
   if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
   vec4 s = imageLoad(sum, p);
 #ifdef FINISH
-  vec3 behind = imageLoad(hdrColor, p).rgb;
-  if (s != vec4(0.0, 0.0, 0.0, 1.0)) imageStore(hdrColor, p, vec4(s.rgb + s.a * behind, 1.0));
+  if (s == vec4(0.0, 0.0, 0.0, 1.0)) return;
+  // Over the image, whose alpha is 1, or over nothing.
+  vec4 behind = imageLoad(hdrColor, p);
+  imageStore(hdrColor, p, vec4(s.rgb + s.a * behind.rgb, 1.0 - s.a * (1.0 - behind.a)));
 #else
   uint id = imageLoad(ids, p).r;
   if (id == NO_KEY) return;

@@ -123,6 +123,8 @@ void main() {
   Composite c = Composite(vec3(0.0), 1.0);
   compositeStored(c, p, slots);
   if (c.transmittance == 1.0 && c.color == vec3(0.0)) return;
-  vec3 behind = imageLoad(hdrColor, p).rgb;
-  imageStore(hdrColor, p, vec4(c.color + c.transmittance * behind, 1.0));
+  // Over the image, whose alpha is 1, or over nothing.
+  vec4 behind = imageLoad(hdrColor, p);
+  imageStore(hdrColor, p, vec4(c.color + c.transmittance * behind.rgb,
+                               1.0 - c.transmittance * (1.0 - behind.a)));
 }

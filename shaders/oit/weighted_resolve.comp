@@ -14,6 +14,8 @@ void main() {
   vec4 sum = texelFetch(weighted, p, 0);
   if (sum.a <= 0.0) return;
   float passes = exp2(-texelFetch(coverage, p, 0).a);
-  vec3 behind = imageLoad(hdrColor, p).rgb;
-  imageStore(hdrColor, p, vec4(sum.rgb / sum.a * (1.0 - passes) + behind * passes, 1.0));
+  // Over the image, whose alpha is 1, or over nothing.
+  vec4 behind = imageLoad(hdrColor, p);
+  imageStore(hdrColor, p, vec4(sum.rgb / sum.a * (1.0 - passes) + behind.rgb * passes,
+                               1.0 - passes * (1.0 - behind.a)));
 }

@@ -45,6 +45,41 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RecordProperty("frames", frames);
 }
 
+TEST(FrameList, IsSoundForEveryCombinationWithResizedTransparency) {
+  const RenderSettings settings;
+  const scene::SceneFacts facts{.opaqueTriangles = 1, .transparentTriangles = 1, .litOpaque = true};
+  LodPlan lod;
+  planLod(lod, {.resize = 2.0, .transparency = true}, {}, facts, false);
+  ASSERT_TRUE(lod.transparency);
+  for (const OitSettings& options : test::acceptedSettings()) {
+    OitPlan plan = test::planOf(options, SyncMode::Ordered);
+    plan.resizable = true;
+    const frame::FrameList list = makeFrameList(settings, plan, lod);
+    EXPECT_THAT(list.validate(), testing::IsEmpty()) << test::describe(options);
+    EXPECT_THAT(running(list, facts),
+                testing::IsSupersetOf({"lod.depth", "lod.shade", "lod.transparency"}));
+    EXPECT_THAT(list.neededResources(inputsOf(facts)),
+                testing::IsSupersetOf({frame::Resource::Depth, frame::Resource::ResizedDepth,
+                                       frame::Resource::HdrColor, frame::Resource::ResizedColor}));
+  }
+}
+
+TEST(FrameList, ResizesTransparencyOnlyWhereItIsAskedFor) {
+  const scene::SceneFacts glass{.opaqueTriangles = 1, .transparentTriangles = 1};
+  const auto resizes = [](const LodSettings& settings, const scene::SceneFacts& facts,
+                          bool mayResize) {
+    LodPlan plan;
+    planLod(plan, settings, {}, facts, mayResize);
+    return plan.transparency;
+  };
+  EXPECT_TRUE(resizes({.resize = 2.0, .transparency = true}, glass, false))
+      << "no opaque surface need be lit";
+  EXPECT_TRUE(resizes({.transparency = true}, glass, true));
+  EXPECT_FALSE(resizes({.transparency = true}, glass, false));
+  EXPECT_FALSE(resizes({.resize = 2.0}, glass, true));
+  EXPECT_FALSE(resizes({.resize = 2.0, .transparency = true}, {.opaqueTriangles = 1}, false));
+}
+
 TEST(FrameList, IsSoundForEveryLevelOfDetail) {
   const RenderSettings settings;
   const OitPlan plan{.method = &methodById("kb-variable")};

@@ -128,7 +128,9 @@ void addOpaque(std::vector<Variant>& all) {
                     {"SKIP_SHADOW", "SKIP_OCCLUSION", "SKIP_NOISE"});
   }
   addCombinations(all, "lighting.comp", together(together(rich, skips), {{"PARTS_IN", "1"}}), {});
-  addCombinations(all, "lod/rates.comp", {}, {});
+  for (const char* file : {"lod/rates.comp", "lod/depth.frag", "lod/transparency.comp"}) {
+    addCombinations(all, file, {}, {});
+  }
   for (const char* filter : {"BILINEAR", "YANG2008", "MACULA"}) {
     addCombinations(all, "lod/reconstruct.comp", {{filter, "1"}},
                     {"PARTS", "FOVEATED", "SHADE_HOLES"});
