@@ -27,7 +27,7 @@ SyncMode syncByName(const std::string& name) {
 }  // namespace
 
 void FrameRenderer::sizePool(std::uint32_t slots) {
-  plan_.slots = std::max(1U, slots);
+  plan_.slots = plan_.poolSlots = std::max(1U, slots);
   // 16-byte fragments keep key and colour apart; packed ones are all key.
   resources_.setBufferBytes(Resource::FragmentKeys, plan_.slots * kFragmentBytes / 2);
   resources_.setBufferBytes(Resource::FragmentColors, plan_.slots * kFragmentBytes / 2);
@@ -94,11 +94,16 @@ void FrameRenderer::planTransparency() {
   plan_.size = lod_.transparencySize();
   plan_.historyValid = inputs_.historyValid && plan_.size == lastTransparencySize_;
   const Method& method = *plan_.method;
-  if (method.hasBudget() && method.allocation == Allocation::Constant &&
-      method.insertion != Insertion::StencilRouted) {
-    // The same slots for fewer texels. Of kb-stencil the samples of the others lie idle.
-    plan_.layers = layersOf(plan_);
-  }
+  // Of kb-stencil, whose slots are samples of the target, those not used lie idle.
+  if (!method.hasBudget() || method.insertion == Insertion::StencilRouted) return;
+  const auto share = static_cast<double>(inputs_.levers.layerShare);
+  plan_.slots = std::max(1U, static_cast<std::uint32_t>(share * plan_.poolSlots));
+  if (method.allocation != Allocation::Constant) return;
+  // The same slots for the texels there are; one each is the least.
+  const auto texels =
+      static_cast<std::uint32_t>(plan_.size.x) * static_cast<std::uint32_t>(plan_.size.y);
+  plan_.slots = std::min(std::max(plan_.slots, texels), plan_.poolSlots);
+  plan_.layers = layersOf(plan_);
 }
 
 void FrameRenderer::allocate() {

@@ -25,7 +25,8 @@ struct OitPlan {
   const Method* method = nullptr;
   SyncMode sync = SyncMode::Spinlock;
   OitSettings options = {};
-  std::uint32_t slots = 1;                        ///< of the fragment pool
+  std::uint32_t slots = 1;                        ///< of the fragment pool that this frame may use
+  std::uint32_t poolSlots = 1;                    ///< of the fragment pool
   std::uint32_t layers = 1;                       ///< slots a pixel where they are constant
   std::optional<std::uint64_t> budgetBytes = {};  ///< null for methods without a budget
   ImportanceSettings importance = {};

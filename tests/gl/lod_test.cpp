@@ -390,5 +390,22 @@ TEST_F(GlTest, LessIsShadedAtHigherFactors) {
   }
 }
 
+TEST_F(GlTest, TheLayersLeverUsesLessOfTheSameMemory) {
+  for (const char* method : {"kb-variable", "kb-plus", "kb-fixed", "kb-atomic"}) {
+    passes::RenderSettings settings = linearSettings(method, 4.0);
+    Bench bench(tangle(200, 5), settings, {96, 64}, machine());
+    const passes::FrameResult full = bench.draw();
+    const std::uint64_t bytes = bench.renderer.bytes().oit;
+    bench.renderer.setLevers({.layerShare = 0.25F});
+    const passes::FrameResult less = bench.draw();
+    EXPECT_EQ(bench.renderer.bytes().oit, bytes) << method;
+    EXPECT_EQ(less.fragments->generated, full.fragments->generated) << method;
+    EXPECT_LT(less.fragments->stored, full.fragments->stored) << method;
+    EXPECT_LE(less.fragments->stored, 96U * 64U) << method << ": a quarter of four layers";
+    bench.renderer.setLevers({});
+    EXPECT_EQ(bench.draw().fragments->stored, full.fragments->stored) << method << ": released";
+  }
+}
+
 }  // namespace
 }  // namespace macula::test
