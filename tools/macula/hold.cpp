@@ -77,6 +77,7 @@ void addHold(CLI::App& root) {
   o->control.law = "macula";
   passes::registerSettings(o->registry, o->settings);
   gaze::registerSettings(o->registry, o->gazeSettings);
+  o->settings.foveation.display = &o->gazeSettings.display;
   control::registerSettings(o->registry, o->control);
   CLI::App* command = root.add_subcommand("hold", "Holds a frame time, and measures how well");
   CLI::Option* scene =
