@@ -36,7 +36,7 @@ void LodTransparencyPass::execute(frame::PassContext& context) {
   context.bindTexture(TEX_INPUT2, Resource::Depth);
   context.bindTexture(TEX_INPUT3, Resource::Normal);
   context.bindImage(IMG_0, Resource::HdrColor, GL_READ_WRITE);
-  context.dispatch(plan_.size, kGroup);
+  context.dispatch(plan_.texels + 1, kGroup);  // a cell between texels each, and outside of the rim
 }
 
 }  // namespace macula::passes

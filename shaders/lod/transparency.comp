@@ -1,7 +1,8 @@
-// Resized transparency over the full-rate image: each pixel takes the mean of the 2x2 texels around it,
-// weighted by distance and by how well the opaque surface behind the texel continues that behind the
-// pixel (joint bilateral upsampling, Kopf et al. 2007, Eq. 3, with the G-buffer as its guide). A texel
-// holds what lies before its own opaque surface: over another one it would be a halo.
+// Resized transparency over the full-rate image: each pixel takes the mean of the 2x2 texels around
+// it, weighted by distance and by how well the opaque surface behind the texel continues that behind
+// the pixel (joint bilateral upsampling, Kopf et al. 2007, Eq. 3, with the G-buffer as its guide). A
+// texel holds what lies before its own opaque surface: over another one it would be a halo.
+// A thread takes the pixels between the same texels, so that these are fetched once for all.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
@@ -17,47 +18,66 @@ layout(rgba16f, binding = IMG_0) uniform image2D hdrColor;
 layout(location = 0) uniform vec2 pitch;    // pixels a texel
 layout(location = 1) uniform ivec2 texels;  // of the resized image
 
-/// How well a texel's opaque depth fits the pixel's tangent plane, 0..1.
-float fitOf(TangentPlane plane, ivec2 p, ivec2 texel, bool surface) {
-  float depth = texelFetch(resizedDepth, texel, 0).r;
-  if ((depth > 0.0) != surface) return 0.0;
-  if (!surface) return 1.0;
-  vec2 offset = vec2(pixelAt(texel, pitch, ivec2(frame.size.xy)) - p);
-  float miss = 1.0 + planeMiss(plane, offset, inverseDistanceOf(depth));
-  return 1.0 / (miss * miss);
+/// The texels around some pixels, lower left to upper right.
+struct Texels {
+  vec4 colors[4];
+  vec4 depths;
+  ivec2 pixels[4];  // whose opaque depths they have
+};
+
+/// How well the texels' opaque depths fit a pixel's surface, 0..1.
+vec4 fitOf(Texels around, ivec2 p) {
+  float depth = texelFetch(depthTexture, p, 0).r;
+  // The far plane is the background.
+  if (depth == 0.0) return vec4(equal(around.depths, vec4(0.0)));
+  vec3 normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
+  TangentPlane plane = tangentPlaneAt(p, inverseDistanceOf(depth), normal);
+  vec4 fit;
+  for (int i = 0; i < 4; ++i) {
+    vec2 offset = vec2(around.pixels[i] - p);
+    float miss = 1.0 + planeMiss(plane, offset, inverseDistanceOf(around.depths[i]));
+    fit[i] = around.depths[i] > 0.0 ? 1.0 / (miss * miss) : 0.0;
+  }
+  return fit;
 }
 
-void main() {
-  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
-  // Geometry was drawn at the texels' middles, wherever these lie between pixels.
-  vec2 place = (vec2(p) + 0.5) / pitch - 0.5;
-  ivec2 low = ivec2(floor(place));
-  vec2 between = place - vec2(low);
-  ivec2 at[4];
-  vec4 colors[4];
-  bool any = false;
-  for (int i = 0; i < 4; ++i) {
-    at[i] = clamp(low + ivec2(i & 1, i >> 1), ivec2(0), texels - 1);
-    colors[i] = texelFetch(resizedColor, at[i], 0);
-    any = any || colors[i] != vec4(0.0);
-  }
-  if (!any) return;
-  float depth = texelFetch(depthTexture, p, 0).r;
-  bool surface = depth > 0.0;
-  TangentPlane plane;
-  if (surface) {
-    vec3 normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
-    plane = tangentPlaneAt(p, inverseDistanceOf(depth), normal);
-  }
+/// @param between where the pixel lies between the texels, 0..1
+vec4 colorAt(Texels around, ivec2 p, vec2 between) {
   vec4 weights = tentOf(between);
-  vec4 fit;
-  for (int i = 0; i < 4; ++i) fit[i] = fitOf(plane, p, at[i], surface);
+  vec4 fit = fitOf(around, p);
   vec4 reached = mix(vec4(0.0), fit, greaterThan(weights, vec4(0.0)));
   float best = max(max(reached.x, reached.y), max(reached.z, reached.w));
   weights = best >= kLeastFit ? weights * fit : vec4(greaterThanEqual(reached, vec4(best)));
   vec4 color = vec4(0.0);
-  for (int i = 0; i < 4; ++i) color += weights[i] * colors[i];
-  color /= dot(weights, vec4(1.0));
-  imageStore(hdrColor, p, vec4(color.rgb + (1.0 - color.a) * imageLoad(hdrColor, p).rgb, 1.0));
+  for (int i = 0; i < 4; ++i) color += weights[i] * around.colors[i];
+  return color / dot(weights, vec4(1.0));
+}
+
+/// The first pixel whose middle does not lie before that of a texel. Geometry was drawn at the
+/// texels' middles, wherever these lie between pixels.
+ivec2 firstPixel(ivec2 texel) { return ivec2(ceil((vec2(texel) + 0.5) * pitch - 0.5)); }
+
+void main() {
+  ivec2 low = ivec2(gl_GlobalInvocationID.xy) - 1;  // before the first texel there are pixels, too
+  ivec2 size = ivec2(frame.size.xy);
+  ivec2 from = max(firstPixel(low), ivec2(0));
+  ivec2 to = min(firstPixel(low + 1), size);
+  Texels around;
+  bool any = false;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 texel = clamp(low + ivec2(i & 1, i >> 1), ivec2(0), texels - 1);
+    around.colors[i] = texelFetch(resizedColor, texel, 0);
+    around.depths[i] = texelFetch(resizedDepth, texel, 0).r;
+    around.pixels[i] = pixelAt(texel, pitch, size);
+    any = any || around.colors[i] != vec4(0.0);
+  }
+  if (!any) return;
+  for (int y = from.y; y < to.y; ++y) {
+    for (int x = from.x; x < to.x; ++x) {
+      ivec2 p = ivec2(x, y);
+      vec4 color = colorAt(around, p, clamp((vec2(p) + 0.5) / pitch - 0.5 - vec2(low), 0.0, 1.0));
+      vec3 behind = imageLoad(hdrColor, p).rgb;
+      imageStore(hdrColor, p, vec4(color.rgb + (1.0 - color.a) * behind, 1.0));
+    }
+  }
 }
