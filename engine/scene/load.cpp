@@ -33,7 +33,7 @@ constexpr Recipe kRecipes[] = {
     {"hairball", "a ball of thin lit strands, at most 180 layers deep", makeHairball},
     {"car", "a car in a yard under a sun, its shadows filtered with 81 taps", makeCar},
     {"marble", "a dragon of polished stone with procedural veins", makeMarble},
-    {"chess", "a game of chess with ambient occlusion of 64 samples", makeChess},
+    {"chess", "a game of chess with ambient occlusion of 96 samples", makeChess},
 };
 
 /// The N of "layers-N".

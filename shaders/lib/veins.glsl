@@ -1,11 +1,15 @@
-// Marble: sine stripes bent by turbulence of gradient noise (Perlin 1985, "An Image Synthesizer";
-// gradients and fade curve of Perlin 2002, "Improving Noise").
+// Marble: stripes bent by gradient noise (Perlin 1985, "An Image Synthesizer"; gradients and fade
+// curve of Perlin 2002, "Improving Noise").
 #include "lib/hash.glsl"
 
-/// Octaves of the turbulence: the finest is 1/32 of a vein.
-const int kOctaves = 6;
-/// How far turbulence bends the stripes, in stripes.
-const float kBend = 1.6;
+/// Octaves of a sum: the finest is 1/64 of the first.
+const int kOctaves = 7;
+/// Weight of an octave over that of the one before: polished stone is smooth.
+const float kGain = 0.38;
+/// How far noise moves the place at which the next noise is taken, in the first octave's cells.
+const float kWarp = 0.45;
+/// How far it bends the stripes, in stripes.
+const float kBend = 1.1;
 
 float gradientAt(ivec3 corner, vec3 offset) {
   uint h = hashPcg(uint(corner.x) + hashPcg(uint(corner.y) + hashPcg(uint(corner.z)))) >> 28;
@@ -31,16 +35,28 @@ float gradientNoise(vec3 p) {
   return mix(sum[0], sum[1], t.z);
 }
 
-/// Share of the veins' colour, 0..1. @param p world position times veins a metre
-float veinsAt(vec3 p) {
-  float turbulence = 0.0;
+/// Octaves of twice the frequency each, about -1..1.
+float fractalNoise(vec3 p) {
+  float sum = 0.0;
   float weight = 1.0;
   for (int octave = 0; octave < kOctaves; ++octave) {
-    turbulence += weight * abs(gradientNoise(p));
-    p *= 2.0;
-    weight *= 0.5;
+    sum += weight * gradientNoise(p);
+    p = 2.0 * p + 17.3;  // octaves must not share their lattice's zeros
+    weight *= kGain;
   }
-  float first = exp2(-float(kOctaves));  // back to the scale of the first octave
-  float stripe = abs(sin(kPi * ((p.x + 0.6 * p.y + 0.3 * p.z) * first + kBend * turbulence)));
+  return sum;
+}
+
+vec3 fractalField(vec3 p) {
+  return vec3(fractalNoise(p), fractalNoise(p + vec3(5.2, 1.3, 7.9)),
+              fractalNoise(p + vec3(1.7, 9.2, 3.4)));
+}
+
+/// Share of the veins' colour, 0..1: stripes in a place that noise has moved twice over (domain
+/// warping, Quilez 2002). @param p world position times veins a metre
+float veinsAt(vec3 p) {
+  vec3 moved = p + kWarp * fractalField(p + kWarp * fractalField(p));
+  float along = dot(p, vec3(1.0, 0.6, 0.3)) + kBend * fractalNoise(moved);
+  float stripe = abs(sin(kPi * along));
   return 1.0 - stripe * (2.0 - stripe);
 }

@@ -214,7 +214,7 @@ TEST(Marble, HasVeinsUnderAGlossAndUsualShadows) {
 
 TEST(Chess, HasOcclusionUnderStrongAmbientLight) {
   const Scene scene = makeChess(1);
-  EXPECT_EQ(scene.occlusion.samples, 64);
+  EXPECT_EQ(scene.occlusion.samples, 96);
   EXPECT_GT(scene.occlusion.radius, 0.01F);
   EXPECT_LT(scene.occlusion.radius, 0.055F) << "less than a square of the board";
   EXPECT_GT(scene.ambient.g, 0.4F);

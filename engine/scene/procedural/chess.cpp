@@ -267,7 +267,7 @@ Scene makeChess(std::uint64_t seed) {
   builder.light(pointLight({0.35F, 0.55F, 0.55F}, {1.0F, 0.78F, 0.52F}, 0.12F, 2.5F));
   // Most of the light comes from all around, so that the occlusion is seen.
   builder.ambient({0.62F, 0.64F, 0.68F});
-  builder.occlusion({0.04F, 64});
+  builder.occlusion({0.04F, 96});
 
   Camera camera;
   camera.name = "scene";

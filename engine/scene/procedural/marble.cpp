@@ -24,7 +24,7 @@ Material veined(const char* name, const glm::vec3& color, const glm::vec3& veins
 
 void addPlinth(SceneBuilder& builder) {
   const std::int32_t stone = builder.material(
-      veined("plinth", {0.035F, 0.085F, 0.065F}, {0.52F, 0.60F, 0.50F}, 5.0F, 0.28F));
+      veined("plinth", {0.035F, 0.085F, 0.065F}, {0.52F, 0.60F, 0.50F}, 2.2F, 0.28F));
   const std::vector<glm::vec2> profile{
       {0.86F, 0.0F},    {0.86F, 0.09F},       {0.84F, 0.105F},   {0.78F, 0.105F}, {0.78F, 0.14F},
       {0.745F, 0.155F}, {0.715F, 0.18F},      {0.70F, 0.21F},    {0.61F, 0.215F}, {0.585F, 0.24F},
@@ -50,13 +50,13 @@ void addPlinth(SceneBuilder& builder) {
 /// A round room seen from within: its wall faces inwards, so that a camera outside looks through.
 void addRoom(SceneBuilder& builder) {
   const std::int32_t floor =
-      builder.material(veined("floor", {0.30F, 0.27F, 0.24F}, {0.70F, 0.64F, 0.55F}, 2.5F, 0.35F));
+      builder.material(veined("floor", {0.30F, 0.27F, 0.24F}, {0.70F, 0.64F, 0.55F}, 1.0F, 0.35F));
   const std::int32_t inlay =
-      builder.material(veined("inlay", {0.12F, 0.035F, 0.03F}, {0.55F, 0.36F, 0.28F}, 4.0F, 0.30F));
+      builder.material(veined("inlay", {0.12F, 0.035F, 0.03F}, {0.55F, 0.36F, 0.28F}, 1.8F, 0.30F));
   const std::int32_t wall =
-      builder.material(veined("wall", {0.42F, 0.38F, 0.33F}, {0.22F, 0.17F, 0.14F}, 1.4F, 0.6F));
+      builder.material(veined("wall", {0.42F, 0.38F, 0.33F}, {0.22F, 0.17F, 0.14F}, 0.6F, 0.6F));
   const std::int32_t panel =
-      builder.material(veined("panel", {0.16F, 0.20F, 0.24F}, {0.46F, 0.50F, 0.52F}, 2.2F, 0.32F));
+      builder.material(veined("panel", {0.16F, 0.20F, 0.24F}, {0.46F, 0.50F, 0.52F}, 1.0F, 0.32F));
 
   const auto ring = [](float inner, float outer, float y) {
     Primitive mesh;
@@ -122,7 +122,7 @@ void addRoom(SceneBuilder& builder) {
 Scene makeMarble(std::uint64_t seed) {
   SceneBuilder builder("marble");
   Material stone =
-      marble::veined("dragon", {0.66F, 0.62F, 0.55F}, {0.10F, 0.14F, 0.13F}, 4.5F, 0.27F);
+      marble::veined("dragon", {0.66F, 0.62F, 0.55F}, {0.10F, 0.14F, 0.13F}, 2.0F, 0.27F);
   const std::int32_t body = builder.material(stone);
   // The same stone, seen from both sides where it is thin.
   stone.name = "wings";
@@ -141,7 +141,7 @@ Scene makeMarble(std::uint64_t seed) {
   addSphere(ball, glm::vec3(marble::kBall), marble::kBall.w, 40);
   builder.addOnce(std::move(ball),
                   builder.material(marble::veined("ball", {0.10F, 0.16F, 0.34F},
-                                                  {0.75F, 0.66F, 0.40F}, 9.0F, 0.25F)));
+                                                  {0.75F, 0.66F, 0.40F}, 4.0F, 0.25F)));
   marble::addPlinth(builder);
   marble::addRoom(builder);
 

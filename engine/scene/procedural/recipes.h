@@ -63,7 +63,7 @@ inline constexpr int kMaxLayers = 4096;
 /// whose surface is procedural noise under a specular layer.
 [[nodiscard]] Scene makeMarble(std::uint64_t seed);
 
-/// A game of chess on a wooden board, darkened by ambient occlusion of 64 samples: for the Chess of
+/// A game of chess on a wooden board, darkened by ambient occlusion of 96 samples: for the Chess of
 /// Yang 2008, section 4.
 [[nodiscard]] Scene makeChess(std::uint64_t seed);
 
