@@ -100,7 +100,7 @@ void FrameRenderer::setLevers(const frame::Levers& levers) {
   inputs_.levers = levers;
   // The first time, the passes are made ready; nothing that a frame remembers depends on it.
   const bool asks = levers.resize > 1.0F;
-  if (asks && !mayResize_ && !lod_.wanted) prepared_ = false;
+  if (asks && !mayResize_) prepared_ = false;
   mayResize_ = mayResize_ || asks;
 }
 
@@ -109,6 +109,8 @@ void FrameRenderer::setShadingLoad(int times) {
 }
 
 void FrameRenderer::restart() {
+  mayResize_ = inputs_.levers.resize > 1.0F;
+  lastTransparencySize_ = {};
   plan_ = {.method = &methodById(settings_.oit.method)};
   list_ = makeFrameList(settings_, plan_, lod_);
   resources_ = {};

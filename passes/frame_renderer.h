@@ -42,7 +42,7 @@ struct LayerStatistics {
 /// Opaque pixels of one frame, and how many were really shaded.
 struct ShadingCounts {
   std::uint64_t pixels = 0;  ///< of the image, in samples
-  std::uint64_t shaded = 0;  ///< samples that were shaded, holes among them
+  std::uint64_t shaded = 0;  ///< samples of what lod.what names, holes among them
   std::uint64_t holes = 0;   ///< pixels that no low-rate sample fits
 };
 
@@ -57,7 +57,7 @@ struct FrameResult {
   std::uint32_t deepest = 0;    ///< largest number of fragments in a sample
   std::uint64_t tailSlots = 0;  ///< slots that hold tails
   std::uint32_t lockFailures = 0;
-  bool exact = false;  ///< every fragment reached the image in its place, at full rate
+  bool exact = false;  ///< every transparent fragment reached the image in its place, at full rate
   int recaptures = 0;  ///< times the frame was drawn again with a larger pool
 };
 

@@ -99,10 +99,11 @@ void FrameRenderer::planTransparency() {
   const auto share = static_cast<double>(inputs_.levers.layerShare);
   plan_.slots = std::max(1U, static_cast<std::uint32_t>(share * plan_.poolSlots));
   if (method.allocation != Allocation::Constant) return;
-  // The same slots for the texels there are; one each is the least.
-  const auto texels =
-      static_cast<std::uint32_t>(plan_.size.x) * static_cast<std::uint32_t>(plan_.size.y);
-  plan_.slots = std::min(std::max(plan_.slots, texels), plan_.poolSlots);
+  // The same slots for the texels there are; one each, or what a tail takes, is the least.
+  const std::uint32_t least = static_cast<std::uint32_t>(plan_.size.x) *
+                              static_cast<std::uint32_t>(plan_.size.y) *
+                              (plan_.tailInSlot() ? plan_.tailSlots() : 1U);
+  plan_.slots = std::min(std::max(plan_.slots, least), plan_.poolSlots);
   plan_.layers = layersOf(plan_);
 }
 

@@ -95,39 +95,36 @@ void store(ivec2 texel, ivec2 pixel, vec3 value, float depth, vec3 normal) {
 #endif
 }
 
-/// The pixel that this thread shades, and the texel of L that it is for.
-/// @returns whether there is one
-bool findPixel(out ivec2 pixel, out ivec2 texel) {
 #if defined(AT_TILES)
+/// Samples on the grids of the tiles in the list.
+uint entries() {
   uint side = uint(LOD_TILE) >> uint(rateLevel);
-  uint entry = gl_GlobalInvocationID.x / (side * side);
-  if (entry >= totals.dispatches[rateLevel].w) return false;
-  uint place = gl_GlobalInvocationID.x % (side * side);
-  uint tile = tiles[uint(rateLevel) * uint(frame.lodSize.z * frame.lodSize.w) + entry];
+  return totals.dispatches[rateLevel].w * side * side;
+}
+
+/// The pixel of an entry, and the texel of L that it is for. @returns whether there is one
+bool findPixel(uint entry, out ivec2 pixel, out ivec2 texel) {
+  uint side = uint(LOD_TILE) >> uint(rateLevel);
+  uint place = entry % (side * side);
+  uint tile = tiles[uint(rateLevel) * uint(frame.lodSize.z * frame.lodSize.w) + entry / (side * side)];
   ivec2 corner = ivec2(tile % uint(frame.lodSize.z), tile / uint(frame.lodSize.z)) * LOD_TILE;
   texel = corner + (ivec2(place % side, place / side) << rateLevel);
   pixel = samplePixel(texel >> rateLevel, frame.resize.x * float(1 << rateLevel));
   return texel.x < frame.lodSize.x && texel.y < frame.lodSize.y;
-#elif defined(AT_HOLES)
-  texel = ivec2(0);
-  if (gl_GlobalInvocationID.x >= totals.dispatches[LOD_RATES].w) return false;
-  uint hole = holes[gl_GlobalInvocationID.x];
-  pixel = ivec2(hole & 0xFFFFu, hole >> 16);
-  return true;
-#elif defined(AT_GRID)
-  texel = ivec2(gl_GlobalInvocationID.xy);
-  pixel = samplePixel(texel, frame.resize.x);
-  return texel.x < frame.lodSize.x && texel.y < frame.lodSize.y;
-#else
-  texel = ivec2(0);
-  pixel = ivec2(gl_GlobalInvocationID.xy);
-  return pixel.x < int(frame.size.x) && pixel.y < int(frame.size.y);
-#endif
 }
+#elif defined(AT_HOLES)
+uint entries() { return totals.dispatches[LOD_RATES].w; }
 
-void main() {
-  ivec2 p, texel;
-  if (!findPixel(p, texel)) return;
+bool findPixel(uint entry, out ivec2 pixel, out ivec2 texel) {
+  uint hole = holes[entry];
+  pixel = ivec2(hole & 0xFFFFu, hole >> 16);
+  texel = ivec2(0);
+  return true;
+}
+#endif
+
+/// @param texel of L that it is for, where it is for one
+void shadePixel(ivec2 p, ivec2 texel) {
   vec2 uv = (vec2(p) + 0.5) * frame.size.zw;
   float depth = texelFetch(depthTexture, p, 0).r;
   if (depth == 0.0) {
@@ -186,5 +183,22 @@ void main() {
   radiance /= surfaceColor(baseColor.rgb);
 #endif
   store(texel, p, radiance, depth, s.normal);
+#endif
+}
+
+void main() {
+#if defined(AT_TILES) || defined(AT_HOLES)
+  uint threads = gl_NumWorkGroups.x * uint(LOD_LIST_GROUP);
+  for (uint entry = gl_GlobalInvocationID.x; entry < entries(); entry += threads) {
+    ivec2 p, texel;
+    if (findPixel(entry, p, texel)) shadePixel(p, texel);
+  }
+#elif defined(AT_GRID)
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  if (texel.x >= frame.lodSize.x || texel.y >= frame.lodSize.y) return;
+  shadePixel(samplePixel(texel, frame.resize.x), texel);
+#else
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+  if (p.x < int(frame.size.x) && p.y < int(frame.size.y)) shadePixel(p, p);
 #endif
 }

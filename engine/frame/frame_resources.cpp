@@ -14,7 +14,7 @@ std::size_t indexOf(Resource r) {
 }
 
 bool isInteger(GLenum format) {
-  return format == GL_R8UI || format == GL_R32UI || format == GL_RG32UI;
+  return format == GL_R32UI || format == GL_RG32UI || format == GL_RGBA32UI;
 }
 
 }  // namespace
@@ -170,8 +170,10 @@ void FrameResources::clear(Resource r) const {
   } else if (info.format == GL_DEPTH_COMPONENT32F) {
     glClearTexImage(texture(r).id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   } else if (isInteger(info.format)) {
-    glClearTexImage(texture(r).id(), 0, info.format == GL_RG32UI ? GL_RG_INTEGER : GL_RED_INTEGER,
-                    GL_UNSIGNED_INT, nullptr);
+    const GLenum channels = info.format == GL_RGBA32UI ? GL_RGBA_INTEGER
+                            : info.format == GL_RG32UI ? GL_RG_INTEGER
+                                                       : GL_RED_INTEGER;
+    glClearTexImage(texture(r).id(), 0, channels, GL_UNSIGNED_INT, nullptr);
   } else {
     glClearTexImage(texture(r).id(), 0, GL_RGBA, GL_FLOAT, nullptr);
   }

@@ -104,7 +104,6 @@ std::size_t Texture::bytes() const {
 std::size_t texelBytes(GLenum format) {
   switch (format) {
     case GL_R8:
-    case GL_R8UI:
       return 1;
     case GL_R16F:
     case GL_RG8:

@@ -111,7 +111,7 @@ inline constexpr int kUsualShadowTaps = 3;
 inline constexpr int kMostShadowTaps = 15;
 /// A pixel's occlusion samples at the most: more change less than a display's step.
 inline constexpr int kMostOcclusionSamples = 256;
-/// Materials with veins that a scene may have, so that a byte of the G-buffer can name them.
+/// Materials with veins that a scene may have: their colours stand in a uniform buffer.
 inline constexpr int kMostVeins = 8;
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };

@@ -55,10 +55,10 @@ void registerSettings(settings::Registry& registry, LodSettings& s) {
                s.demodulate);
   registry.add({.key = "lod.sigmaNormal",
                 .help = "sigma_n of Yang 2008, Eq. 1, of normals divided by their z"},
-               s.sigmaNormal, {.min = 0.0, .minExclusive = true, .max = 1e6});
+               s.sigmaNormal, {.min = 1e-6, .max = 1e6});
   registry.add(
       {.key = "lod.sigmaDepth", .unit = "of the depth", .help = "sigma_z of Yang 2008, Eq. 1"},
-      s.sigmaDepth, {.min = 0.0, .minExclusive = true, .max = 1e6});
+      s.sigmaDepth, {.min = 1e-6, .max = 1e6});
   registry.add({.key = "lod.transparency", .help = "transparent surfaces are drawn at 1/r, too"},
                s.transparency);
 }
@@ -82,9 +82,10 @@ void registerSettings(settings::Registry& registry, FoveationSettings& s) {
                 .unit = "pixels/degree",
                 .help = "of the image; 0: from display.widthMm and display.distanceMm"},
                s.pixelsPerDegree, {.min = 0.0, .max = 1000.0});
-  registry.addNumberChoice(
-      {.key = "foveation.coarsest", .unit = "pixels", .help = "a side that share a sample"},
-      s.coarsest, {1, 2, 4, 8});
+  registry.addNumberChoice({.key = "foveation.coarsest",
+                            .unit = "samples",
+                            .help = "of the resized image a side that share one of the shading"},
+                           s.coarsest, {1, 2, 4, 8});
 }
 
 }  // namespace macula::passes

@@ -56,7 +56,7 @@ struct FoveationSettings {
   double fovealMar = 1.0 / 48.0;  ///< degrees
   bool perCycle = true;           ///< MAR is of a cycle, so two samples go to it; else one
   double pixelsPerDegree = 0.0;   ///< of the image; 0: from the display's width and distance
-  int coarsest = 8;               ///< pixels: 1, 2, 4 or 8
+  int coarsest = 8;               ///< texels of L a side: 1, 2, 4 or 8
   /// Registered elsewhere, under display.*; must outlive this. Null: the default display.
   const gaze::Display* display = nullptr;
 };

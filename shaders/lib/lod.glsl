@@ -1,5 +1,6 @@
 // Where the samples of the resized image lie, and what one of them holds. A cell is what one sample
 // stands for: one texel of the resized image L, or a square of them where shading is foveated.
+#include "lib/half.glsl"
 #include "lib/raster.glsl"
 #include "shared/lod_totals.h"
 
@@ -20,6 +21,7 @@ int levelAround(uint around, ivec2 offset) {
 
 /// What one texel of L holds: rgb; 1 / distance along the view; normal.
 uvec4 packSample(vec3 value, float inverseDistance, vec3 normal) {
+  value = min(value, vec3(kMaxHalf));
   return uvec4(packHalf2x16(value.rg), packHalf2x16(vec2(value.b, 0.0)),
                floatBitsToUint(inverseDistance), packSnorm4x8(vec4(normal, 0.0)));
 }
@@ -39,6 +41,17 @@ const float kLeastFit = 0.05;
 vec4 tentOf(vec2 between) {
   vec2 rest = 1.0 - between;
   return vec4(rest.x * rest.y, between.x * rest.y, rest.x * between.y, between.x * between.y);
+}
+
+/// Weights of the samples around a pixel: the tent's times how well they fit; where none that the
+/// tent reaches fits, the best of them alone.
+/// @param fits whether one does
+vec4 fittedWeights(vec4 tent, vec4 fit, out bool fits) {
+  vec4 reached = mix(vec4(0.0), fit, greaterThan(tent, vec4(0.0)));
+  float best = max(max(reached.x, reached.y), max(reached.z, reached.w));
+  fits = best >= kLeastFit;
+  vec4 nearest = best > 0.0 ? vec4(greaterThanEqual(reached, vec4(best))) : tent;
+  return fits ? tent * fit : nearest;
 }
 
 /// 1 / distance along the view of a reversed depth.

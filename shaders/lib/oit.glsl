@@ -1,6 +1,7 @@
 // What the transparency passes share: keys, ranges, optical depth.
 #ifndef MACULA_OIT_GLSL
 #define MACULA_OIT_GLSL
+#include "lib/half.glsl"
 #include "shared/bindings.h"
 #include "shared/oit_constants.h"
 #include "shared/oit_totals.h"
@@ -10,9 +11,6 @@
 uvec2 fragmentKey(float reversedDepth, uint id) { return uvec2(~floatBitsToUint(reversedDepth), id); }
 
 bool isNearer(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
-/// The largest half float; more would be infinite, and zero times that NaN.
-const float kMaxHalf = 65504.0;
 
 /// Optical depth in halvings of what passes. Bounded, so that an opaque layer stays finite.
 float opticalDepth(float alpha) {

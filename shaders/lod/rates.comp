@@ -52,7 +52,7 @@ void main() {
   tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;
   int side = LOD_TILE >> level;
   uint groups = ((entry + 1u) * uint(side * side) + uint(LOD_LIST_GROUP) - 1u) / uint(LOD_LIST_GROUP);
-  atomicMax(totals.dispatches[level].x, groups);
+  atomicMax(totals.dispatches[level].x, min(groups, LOD_MOST_GROUPS));
   ivec2 inside = min(frame.lodSize.xy - tile * LOD_TILE, ivec2(LOD_TILE));
   ivec2 cells = (inside + (1 << level) - 1) >> level;
   atomicAdd(totals.shaded, uint(cells.x * cells.y));

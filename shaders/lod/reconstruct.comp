@@ -135,11 +135,10 @@ bool reconstruct(ivec2 p, out vec3 value) {
   } else {
     for (int i = 0; i < 4; ++i) fit[i] = isSurface(taps.texels[i]) ? 0.0 : 1.0;
   }
-  // A sample that the tent gives no weight does not count for a fit.
-  vec4 reached = mix(vec4(0.0), fit, greaterThan(weights, vec4(0.0)));
-  float best = max(max(reached.x, reached.y), max(reached.z, reached.w));
-  fits = best >= kLeastFit;
-  weights = fits ? weights * fit : vec4(greaterThanEqual(reached, vec4(best)));
+  weights = fittedWeights(weights, fit, fits);
+#ifdef PARTS
+  fits = fits || depth == 0.0;  // the background has no parts
+#endif
 #endif
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 4; ++i) sum += weights[i] * sampleValue(taps.texels[i]);
@@ -160,7 +159,8 @@ void main() {
   // Holes are few: an addition each costs less than the barriers of a sum over the group.
   if (!fits) {
     uint place = atomicAdd(totals.dispatches[LOD_RATES].w, 1u);
-    atomicMax(totals.dispatches[LOD_RATES].x, place / uint(LOD_LIST_GROUP) + 1u);
+    atomicMax(totals.dispatches[LOD_RATES].x,
+              min(place / uint(LOD_LIST_GROUP) + 1u, LOD_MOST_GROUPS));
     holes[place] = uint(p.x) | uint(p.y) << 16;
   }
 #endif

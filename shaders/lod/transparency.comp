@@ -43,11 +43,8 @@ vec4 fitOf(Texels around, ivec2 p) {
 
 /// @param between where the pixel lies between the texels, 0..1
 vec4 colorAt(Texels around, ivec2 p, vec2 between) {
-  vec4 weights = tentOf(between);
-  vec4 fit = fitOf(around, p);
-  vec4 reached = mix(vec4(0.0), fit, greaterThan(weights, vec4(0.0)));
-  float best = max(max(reached.x, reached.y), max(reached.z, reached.w));
-  weights = best >= kLeastFit ? weights * fit : vec4(greaterThanEqual(reached, vec4(best)));
+  bool fits;
+  vec4 weights = fittedWeights(tentOf(between), fitOf(around, p), fits);
   vec4 color = vec4(0.0);
   for (int i = 0; i < 4; ++i) color += weights[i] * around.colors[i];
   return color / dot(weights, vec4(1.0));
@@ -55,7 +52,11 @@ vec4 colorAt(Texels around, ivec2 p, vec2 between) {
 
 /// The first pixel whose middle does not lie before that of a texel. Geometry was drawn at the
 /// texels' middles, wherever these lie between pixels.
-ivec2 firstPixel(ivec2 texel) { return ivec2(ceil((vec2(texel) + 0.5) * pitch - 0.5)); }
+ivec2 firstPixel(ivec2 texel) {
+  // Neighbouring threads must agree on it to the last bit.
+  precise vec2 first = (vec2(texel) + 0.5) * pitch - 0.5;
+  return ivec2(ceil(first));
+}
 
 void main() {
   ivec2 low = ivec2(gl_GlobalInvocationID.xy) - 1;  // before the first texel there are pixels, too

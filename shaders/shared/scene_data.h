@@ -21,7 +21,7 @@
 #define MAX_LIGHTS 32
 // Spherical harmonics up to l = 2 (Ramamoorthi and Hanrahan 2001).
 #define SH_COEFFICIENTS 9
-// Materials with procedural veins; more would not fit their number in the G-buffer's byte evenly.
+// Materials with procedural veins: a bound on the uniform buffer.
 #define MAX_VEINS 8
 
 MACULA_SHARED_BEGIN

@@ -124,7 +124,8 @@ double ReconstructionMirror::fitOf(const Tap& tap, glm::ivec2 p) const {
   // Distance of the tap's point from the tangent plane over what a pixel spans there.
   const glm::dvec3 point = rayThrough(p) / own;
   const glm::dvec3 other = rayThrough(tap.pixel) / tap.sample.inverseDistance;
-  const double pixelSpan = 2.0 / static_cast<double>(view.projection[1][1]) / size.y / tap.sample.inverseDistance;
+  const double pixelSpan =
+      2.0 / static_cast<double>(view.projection[1][1]) / size.y / tap.sample.inverseDistance;
   const glm::ivec2 offset = glm::abs(tap.pixel - p);
   const double reach = std::max(offset.x, offset.y);
   const double plane = std::abs(glm::dot(n, other - point)) / pixelSpan / (0.25 + 0.1 * reach);

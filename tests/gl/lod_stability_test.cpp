@@ -115,6 +115,32 @@ TEST_F(GlTest, SilhouettesHaveNoHalo) {
   EXPECT_LT(whole.edge, 0.02 * edgeError(litCard(), by(Bilinear, 4.0), machine()).edge);
 }
 
+TEST_F(GlTest, SurfaceColoursStayAtFullRate) {
+  scene::Scene scene = still();
+  for (scene::Primitive& primitive : scene.primitives) {
+    std::uint32_t n = 0;
+    for (scene::VertexAttributes& vertex : primitive.attributes) {
+      vertex.color = glm::vec4(glm::vec3((n++ % 3) == 0 ? 0.1F : 1.0F), 1.0F);
+    }
+  }
+  scene.lights.clear();
+  scene.ambient = glm::vec3(0.7F);
+  passes::RenderSettings settings = by(Macula, 4.0);
+  const std::vector<float> full = draw(scene, resized(1.0), machine());
+  const double light = rootMeanSquare(full, draw(scene, settings, machine()));
+  settings.lod.demodulate = false;
+  const double all = rootMeanSquare(full, draw(scene, settings, machine()));
+  EXPECT_GT(all, 5e-3);
+  EXPECT_LT(light, 0.3 * all) << "even light carries nothing of the colours";
+}
+
+TEST_F(GlTest, BrightSamplesStayFinite) {
+  scene::Scene scene = still();
+  scene.materials[0].emissive = glm::vec3(3000.0F);
+  scene.materials[0].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+  for (const float value : draw(scene, resized(2.0), machine())) ASSERT_TRUE(std::isfinite(value));
+}
+
 TEST_F(GlTest, GrazingPlanesNeedTheTangentPlane) {
   // Nothing but a plane: its own samples fit everywhere, although depth changes fast across it.
   Bench bench(grazing(), by(Macula, 4.0), kSize, machine());

@@ -18,6 +18,18 @@ namespace {
 using frame::Resource;
 
 constexpr glm::ivec2 kSize{150, 101};  // no multiple of tiles or groups
+/// As in shaders/lib/lod.glsl.
+constexpr double kLeastFit = 0.05;
+/// Float against double: a pixel as near to the bound may fall on either side.
+constexpr double kFitSlack = 2e-3;
+
+/// Half floats hold 11 bits.
+bool isUnlike(const float* rgb, const glm::dvec3& wanted) {
+  for (int c = 0; c < 3; ++c) {
+    if (std::abs(static_cast<double>(rgb[c]) - wanted[c]) > 2e-3 * wanted[c] + 1e-4) return true;
+  }
+  return false;
+}
 
 double unpackHalf(std::uint32_t bits) {
   const double sign = (bits & 0x8000U) != 0 ? -1.0 : 1.0;
@@ -156,22 +168,14 @@ TEST_F(GlTest, ReconstructionIsWhatTheMirrorSays) {
       for (int y = 0; y < kSize.y; ++y) {
         for (int x = 0; x < kSize.x; ++x) {
           const auto expected = mirror.pixel({x, y});
-          constexpr double kLeastFit = 0.05;
-          // Float against double: a pixel on the very border may fall on either side.
-          const bool edge = std::abs(expected.best - kLeastFit) < 2e-3;
+          const bool edge = std::abs(expected.best - kLeastFit) < kFitSlack;
           doubtful += edge ? 1 : 0;
           if (filter != passes::Reconstruction::Bilinear && expected.best < kLeastFit) {
             ++holes;
             continue;
           }
-          if (edge) continue;
           const auto at = static_cast<std::size_t>(y * kSize.x + x) * 4;
-          for (std::size_t c = 0; c < 3; ++c) {
-            const double wanted = expected.value[static_cast<int>(c)];
-            // Half floats hold 11 bits.
-            if (std::abs(static_cast<double>(image[at + c]) - wanted) > 2e-3 * wanted + 1e-4)
-              ++wrong;
-          }
+          wrong += !edge && isUnlike(&image[at], expected.value) ? 1 : 0;
         }
       }
       EXPECT_EQ(wrong, 0) << "r " << r << " filter " << static_cast<int>(filter);
@@ -186,28 +190,31 @@ TEST_F(GlTest, ReconstructionIsWhatTheMirrorSays) {
 }
 
 TEST_F(GlTest, FoveatedReconstructionIsWhatTheMirrorSays) {
+  constexpr glm::ivec2 kWide{300, 200};
   for (const double r : {1.0, 1.6}) {
     passes::RenderSettings settings = foveatedSettings(14.0);
     settings.foveation.slope = 0.1;
     settings.lod.resize = r;
     settings.lod.demodulate = false;
-    Bench bench(still(), settings, {300, 200}, machine());
+    Bench bench(still(), settings, kWide, machine());
     (void)bench.draw({0.3F, 0.6F});
     const ReconstructionMirror mirror = mirrorOf(bench);
     EXPECT_EQ(std::set<int>(mirror.levels.begin(), mirror.levels.end()).size(), r == 1.0 ? 4U : 3U)
         << "every rate occurs";
     const std::vector<float> image = radiance(bench);
     int wrong = 0;
-    for (int y = 0; y < 200; ++y) {
-      for (int x = 0; x < 300; ++x) {
+    int compared = 0;
+    for (int y = 0; y < kWide.y; ++y) {
+      for (int x = 0; x < kWide.x; ++x) {
         const auto expected = mirror.pixel({x, y});
-        if (expected.best < 0.052) continue;
-        const double wanted = expected.value.x;
-        const auto at = static_cast<std::size_t>(y * 300 + x) * 4;
-        if (std::abs(static_cast<double>(image[at]) - wanted) > 2e-3 * wanted + 1e-4) ++wrong;
+        if (expected.best < kLeastFit + kFitSlack) continue;  // a hole, or nearly
+        ++compared;
+        const auto at = static_cast<std::size_t>(y * kWide.x + x) * 4;
+        wrong += isUnlike(&image[at], expected.value) ? 1 : 0;
       }
     }
     EXPECT_EQ(wrong, 0) << r;
+    EXPECT_GT(compared, kWide.x * kWide.y * 8 / 10);
   }
 }
 
@@ -350,62 +357,6 @@ TEST_F(GlTest, EverySampleOfATileIsShaded) {
     }
   }
   EXPECT_EQ(written, result.shading.shaded - result.shading.holes);
-}
-
-TEST_F(GlTest, ChangingLeversAllocatesNothing) {
-  for (const bool foveated : {false, true}) {
-    passes::RenderSettings settings = resized(1.5);
-    settings.foveation.enabled = foveated;
-    Bench bench(tangle(60, 3), settings, {96, 64}, machine());
-    // The driver compiles what it has not run yet: full rate and less.
-    for (const float r : {1.0F, 2.0F, 1.0F}) {
-      bench.renderer.setLevers({.resize = r});
-      (void)bench.draw();
-    }
-    const frame::ResourceBytes bytes = bench.renderer.bytes();
-    const std::size_t before = allocationCount();
-    for (int i = 0; i < 24; ++i) {
-      bench.renderer.setLevers({.resize = 1.0F + 0.29F * static_cast<float>(i),
-                                .foveaSlope = 1.0F + 0.1F * static_cast<float>(i)});
-      (void)bench.draw({0.04F * static_cast<float>(i), 0.5F});
-      EXPECT_TRUE(i == 0 || bench.renderer.inputs().historyValid);
-    }
-    EXPECT_EQ(allocationCount() - before, 0U);
-    EXPECT_EQ(bench.renderer.bytes().other, bytes.other);
-    EXPECT_EQ(bench.renderer.bytes().gbuffer, bytes.gbuffer);
-  }
-}
-
-TEST_F(GlTest, LessIsShadedAtHigherFactors) {
-  Bench bench(still(), resized(1.0), {128, 128}, machine());
-  std::uint64_t last = 0;
-  for (const float r : {8.0F, 4.0F, 2.0F, 1.5F, 1.0F}) {
-    bench.renderer.setLevers({.resize = r});
-    const passes::FrameResult result = bench.draw();
-    EXPECT_EQ(result.resizeFactor, static_cast<double>(r));
-    EXPECT_EQ(result.shading.shaded - result.shading.holes,
-              static_cast<std::uint64_t>(std::pow(std::ceil(128.0F / r), 2.0F)));
-    EXPECT_GT(result.shading.shaded, last);
-    last = result.shading.shaded;
-  }
-}
-
-TEST_F(GlTest, TheLayersLeverUsesLessOfTheSameMemory) {
-  for (const char* method : {"kb-variable", "kb-plus", "kb-fixed", "kb-atomic"}) {
-    passes::RenderSettings settings = linearSettings(method, 4.0);
-    Bench bench(tangle(200, 5), settings, {96, 64}, machine());
-    (void)bench.draw();  // what depends on the frame before is settled with the second
-    const passes::FrameResult full = bench.draw();
-    const std::uint64_t bytes = bench.renderer.bytes().oit;
-    bench.renderer.setLevers({.layerShare = 0.25F});
-    const passes::FrameResult less = bench.draw();
-    EXPECT_EQ(bench.renderer.bytes().oit, bytes) << method;
-    EXPECT_EQ(less.fragments->generated, full.fragments->generated) << method;
-    EXPECT_LT(less.fragments->stored, full.fragments->stored) << method;
-    EXPECT_LE(less.fragments->stored, 96U * 64U) << method << ": a quarter of four layers";
-    bench.renderer.setLevers({});
-    EXPECT_EQ(bench.draw().fragments->stored, full.fragments->stored) << method << ": released";
-  }
 }
 
 }  // namespace

@@ -128,6 +128,11 @@ void addOpaque(std::vector<Variant>& all) {
                     {"SKIP_SHADOW", "SKIP_OCCLUSION", "SKIP_NOISE"});
   }
   addCombinations(all, "lighting.comp", together(together(rich, skips), {{"PARTS_IN", "1"}}), {});
+  for (const char* place : {"AT_GRID", "AT_TILES"}) {
+    addCombinations(all, "lighting.comp", together(rich, {{place, "1"}, {"DEMODULATE", "1"}}), {});
+  }
+  addCombinations(all, "lod/reconstruct.comp", {{"MACULA", "1"}, {"DEMODULATE", "1"}},
+                  {"FOVEATED", "SHADE_HOLES"});
   for (const char* file : {"lod/rates.comp", "lod/depth.frag", "lod/transparency.comp"}) {
     addCombinations(all, file, {}, {});
   }
