@@ -188,11 +188,10 @@ void shadePixel(ivec2 p, ivec2 texel) {
 
 void main() {
 #if defined(AT_TILES) || defined(AT_HOLES)
-  uint threads = gl_NumWorkGroups.x * uint(LOD_LIST_GROUP);
-  for (uint entry = gl_GlobalInvocationID.x; entry < entries(); entry += threads) {
-    ivec2 p, texel;
-    if (findPixel(entry, p, texel)) shadePixel(p, texel);
-  }
+  uint group = gl_WorkGroupID.y * LOD_ROW_GROUPS + gl_WorkGroupID.x;
+  uint entry = group * uint(LOD_LIST_GROUP) + gl_LocalInvocationIndex;
+  ivec2 p, texel;
+  if (entry < entries() && findPixel(entry, p, texel)) shadePixel(p, texel);
 #elif defined(AT_GRID)
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
   if (texel.x >= frame.lodSize.x || texel.y >= frame.lodSize.y) return;

@@ -26,6 +26,8 @@ float allowedPitch(vec2 place) {
   return radians(mar) * frame.resize.z / frame.acuity.z;
 }
 
+#include "lib/lod_dispatch.glsl"
+
 int levelOf(ivec2 tile) {
   vec2 low = vec2(tile * LOD_TILE) * frame.resize.x;
   vec2 high = low + float(LOD_TILE) * frame.resize.x;
@@ -52,7 +54,7 @@ void main() {
   tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;
   int side = LOD_TILE >> level;
   uint groups = ((entry + 1u) * uint(side * side) + uint(LOD_LIST_GROUP) - 1u) / uint(LOD_LIST_GROUP);
-  atomicMax(totals.dispatches[level].x, min(groups, LOD_MOST_GROUPS));
+  growDispatch(level, groups);
   ivec2 inside = min(frame.lodSize.xy - tile * LOD_TILE, ivec2(LOD_TILE));
   ivec2 cells = (inside + (1 << level) - 1) >> level;
   atomicAdd(totals.shaded, uint(cells.x * cells.y));

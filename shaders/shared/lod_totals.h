@@ -12,9 +12,9 @@
 // Threads of a work-group that walks a list.
 #define LOD_LIST_GROUP 64
 
-// Work-groups of a list at the most, as many as every GPU takes (OpenGL 4.5, table 23.71); threads
-// of longer lists take several entries.
-#define LOD_MOST_GROUPS 65535u
+// Work-groups in a row, as many as every GPU takes (OpenGL 4.5, table 23.71); longer lists take
+// several rows.
+#define LOD_ROW_GROUPS 65535u
 
 MACULA_SHARED_BEGIN
 
