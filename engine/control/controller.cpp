@@ -60,12 +60,7 @@ void Controller::observe(const FrameTimes& times) {
 void Controller::moveResize(double wanted) {
   double& resize = values_[Lever::Resize];
   resize = std::clamp(wanted, kLeastResize, made_.mostResize);
-  if (made_.resizeStep > 0.0) {
-    // The next one up: the one below would be late in every frame.
-    constexpr double kRounding = 1e-9;
-    const double rounded = std::ceil(resize / made_.resizeStep - kRounding) * made_.resizeStep;
-    resize = std::clamp(rounded, kLeastResize, made_.mostResize);
-  }
+  resize = std::clamp(inSteps(resize, made_.resizeStep), kLeastResize, made_.mostResize);
 }
 
 const LeverValues& Controller::next(const FrameTimes* newest, double usedResize,

@@ -12,8 +12,9 @@ namespace macula::control {
 
 /// Moves the levers behind r. A step is judged by the median of the times of kWait frames that were
 /// all drawn with it, so that it waits for as long as times are late and no single hitch moves
-/// anything. What a step has saved is kept: it is taken back once the time would stay below the
-/// target without it. No step can therefore be taken and taken back under the same load.
+/// anything. What a step has saved is kept, up to LeverInfo::mostGain: it is taken back once the
+/// time would stay below the target without it. A steady load therefore takes a step once: beyond
+/// 1.02 of the target it is taken, and below 0.97 without it given back.
 class LeverSteps {
  public:
   /// Frames that judge a step. The median of 10 times that spread by 4 % spreads by 1.6 %.

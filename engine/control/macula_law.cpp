@@ -106,12 +106,10 @@ double MaculaLaw::next(const FrameTimes* newest, double resize) {
              : cpuBound                  ? Trouble::CpuBound
                                          : Trouble::None;
   if (std::abs(goal - resize) <= kDeadBand * resize && goal > kLeastResize) return resize;
-  const double leastNow = std::max(resize / std::sqrt(kMostGrowth), kLeastResize);
-  const double chosen = std::max(goal, leastNow);
-  if (step_ <= 0.0) return chosen;
-  // Where r comes in steps, the next one up: the one below would be late in every frame.
-  constexpr double kRounding = 1e-9;
-  return std::min(std::ceil(chosen / step_ - kRounding) * step_, mostResize_);
+  // One step down is allowed at any time: a coarser one than the growth would else never be left.
+  const double grown = std::min(resize / std::sqrt(kMostGrowth), resize - step_);
+  const double leastNow = std::max(grown, kLeastResize);
+  return std::clamp(inSteps(std::max(goal, leastNow), step_), kLeastResize, mostResize_);
 }
 
 bool MaculaLaw::scalePixels(double ratio) {

@@ -85,6 +85,31 @@ TEST(MaculaLaw, ComesBackSlowlyAndStaysInItsDeadBand) {
   EXPECT_EQ(law->next(nullptr, 1.602), 1.602);
 }
 
+TEST(MaculaLaw, ComesDownInStepsThatAreCoarserThanItsGrowth) {
+  for (const double step : {1.0 / 16.0, 0.1, 0.25, 1.0}) {
+    LawOptions options = target(10.0);
+    options.resizeStep = step;
+    const auto law = makeLaw("macula", options);
+    double resize = inSteps(1.9, step);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      resize = static_cast<double>(static_cast<float>(resize));  // as a renderer keeps it
+      const FrameTimes times = timesOf(i, resize, 20.0, 2.0);
+      const double next = law->next(&times, resize);
+      EXPECT_GE(next, resize - step - 1e-6);
+      resize = next;
+    }
+    // sqrt(20 / 8) = 1.5811 in calm times, and the next step up.
+    EXPECT_NEAR(resize, inSteps(1.583, step), 1e-6) << step;
+  }
+}
+
+TEST(InSteps, TheNextOneUpAndAFloatIsNoStepMore) {
+  EXPECT_EQ(inSteps(1.3, 0.0), 1.3);
+  EXPECT_EQ(inSteps(1.3, 0.25), 1.5);
+  EXPECT_EQ(inSteps(1.5, 0.25), 1.5);
+  EXPECT_NEAR(inSteps(static_cast<double>(1.1F), 0.1), 1.1, 1e-12);  // 1.1F is 1.10000002
+}
+
 /// Draws 200 frames of a load under a law, with times that `spoil` may change; gives the last r.
 template <typename Spoil>
 double settled(Law& law, double workMs, double fixedMs, Spoil spoil) {

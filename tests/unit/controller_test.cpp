@@ -139,6 +139,20 @@ TEST(Controller, SlowLeversHoldWhatRCannotAndDoNotSwing) {
   }
 }
 
+TEST(Controller, AStepThatSavesMoreThanAQuarterIsKept) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  settings.mostResize = 1.0;
+  // 14 + 3 = 17 ms is late; one step of the slope leaves 14 / 1.5625 + 3 = 11.96.
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    Controller controller(settings);
+    PlantCase c = plantCase(400, [](int) { return Load{14.0, 3.0, 0.0, 1.0}; });
+    const PlantRun drawn = run(controller, c, kTargetMs, seed);
+    for (std::size_t i = 50; i < drawn.frames.size(); ++i) {
+      ASSERT_EQ(drawn.frames[i].levers[Lever::FoveaSlope], 1.25) << "seed " << seed << ", " << i;
+    }
+  }
+}
+
 TEST(Controller, ATargetOutOfReachIsSaidAndRecoveredFrom) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
