@@ -71,6 +71,8 @@ class Law {
     return false;
   }
 
+  /// Whether it follows the times at all.
+  [[nodiscard]] virtual bool holdsTarget() const { return true; }
   [[nodiscard]] virtual Trouble trouble() const { return Trouble::None; }
   /// One line on why the law does nothing at present; empty where it works.
   [[nodiscard]] std::string notice() const { return noticeOf(trouble()); }

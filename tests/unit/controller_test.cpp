@@ -334,6 +334,28 @@ TEST(Controller, SettingsTakeEffectWithTheNextFrame) {
   EXPECT_FALSE(controller.active());
 }
 
+TEST(Controller, AnotherLawTakesTheSlowLeversBack) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  Controller controller(settings);
+  run(controller, plantCase(300, [](int) { return Load{80.0, 4.0, 14.0, 0.0}; }));
+  ASSERT_LT(controller.levers()[Lever::LayerShare], 1.0);
+  settings.law = "yang2008";
+  EXPECT_EQ(controller.next(nullptr, 4.0, kAll)[Lever::LayerShare], 1.0);
+}
+
+TEST(Controller, AFixedRMovesNoLeverAndHasNoEndOfItsOwn) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  settings.law = "fixed";
+  settings.fixedResize = 6.0;
+  settings.mostResize = 4.0;
+  Controller controller(settings);
+  run(controller, plantCase(200, [](int) { return Load{400.0, 40.0, 14.0, 0.5}; }));
+  LeverValues expected;
+  expected[Lever::Resize] = 6.0;
+  EXPECT_EQ(controller.levers(), expected);
+  EXPECT_EQ(controller.notice(), "");
+}
+
 TEST(Controller, SaysWhatHoldsTheFrameInstead) {
   const ControlSettings settings = settingsFor(20.0);
   Controller controller(settings);
