@@ -88,6 +88,27 @@ def check_hopeless(folder):
     assert float(last["fovea_slope"]) == 1, "nothing is foveated"
 
 
+def check_fixed(folder):
+    """r as it is set, in every frame, and what is computed at 1/r has a time."""
+    hold(folder, "car", "--size", "64x64", "--warmup", "1", "--frames", "30", "--law", "fixed",
+         "--control.fixedR", "2", "--load", "none", "--out", "fixed")
+    for row in rows_of(os.path.join(folder, "fixed", "results.csv")):
+        assert float(row["r"]) == 2 and float(row["lever_resize"]) == 2, row
+        assert float(row["resizable_ms"]) > 0, row
+
+
+def check_nothing(folder):
+    """Where nothing can be computed at 1/r (no surface has veins), r is not asked for."""
+    results = json.loads(hold(folder, "smoke", "--target-ms", "0.01", "--load", "none",
+                              "--lod.what", "noise", *SHORT, "--json", "-",
+                              "--out", "nothing").stdout)
+    for row in rows_of(os.path.join(folder, "nothing", "results.csv")):
+        assert float(row["r"]) == 1 and float(row["lever_resize"]) == 1, row
+        assert float(row["resizable_ms"]) == 0, row
+    assert "nothing is computed at 1/r" in results["notices"][0]["text"], results["notices"]
+    assert results["notices"][0]["frame"] == 0, results["notices"]
+
+
 def check_off(folder):
     results = json.loads(hold(folder, "smoke", "--law", "off", *SHORT, "--json", "-").stdout)
     assert results["gate"]["met"] is None and results["notices"] == []
@@ -146,6 +167,8 @@ def main():
         page = check_example(folder)
         check_easy(folder)
         check_hopeless(folder)
+        check_fixed(folder)
+        check_nothing(folder)
         check_off(folder)
         check_share(folder)
         check_report(folder, page)
