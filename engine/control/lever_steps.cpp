@@ -11,6 +11,9 @@ namespace {
 constexpr double kLate = 1.02;
 /// A step is taken back where the time without it would still be below this share of the target.
 constexpr double kRoom = 0.97;
+/// A time that is said to be out of reach is said anew once it differs by more than this: it is
+/// no reading of a clock.
+constexpr double kMoved = 0.1;
 
 const LeverInfo& infoOf(Lever lever) {
   return *std::ranges::find(kLeverOrder, lever, &LeverInfo::lever);
@@ -71,7 +74,8 @@ void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& w
   const bool before = std::exchange(exhausted_, false);
   if (medianMs_ > kLate * targetMs) {
     exhausted_ = !take(frame, work);
-    if (exhausted_ && !before) leastMs_ = medianMs_;
+    const bool moved = std::abs(medianMs_ / leastMs_ - 1.0) > kMoved;
+    if (exhausted_ && (!before || moved)) leastMs_ = medianMs_;
   } else if (engaged() && medianMs_ * steps_.back().gain < kRoom * targetMs) {
     steps_.pop_back();
     forgetTimes(frame);

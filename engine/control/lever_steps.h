@@ -36,7 +36,8 @@ class LeverSteps {
   [[nodiscard]] bool engaged() const { return !steps_.empty(); }
   /// The last decision found the time over the target and no lever left.
   [[nodiscard]] bool exhausted() const { return exhausted_; }
-  /// Where exhausted(): the median time when it was first found so, ms.
+  /// Where exhausted(): the median time when it was first found so, or has since moved by a tenth,
+  /// ms.
   [[nodiscard]] double leastMs() const { return leastMs_; }
   /// Writes the slow levers' places.
   void apply(LeverValues& values) const;

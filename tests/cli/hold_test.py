@@ -121,10 +121,26 @@ def check_share(folder):
     assert abs(results["target_ms"] / results["loads"][0]["full_rate_ms"] - 0.5) < 1e-9
 
 
+def check_plant(folder):
+    """The settings of the laws reach the plant."""
+    def used(*options):
+        results = json.loads(hold(folder, "--plant", "--seeds", "1", "--json", "-",
+                                  *options).stdout)
+        return {law: cases["unreachable"] for law, cases in results["laws"].items()}, results
+    usual, _ = used()
+    other, results = used("--control.mostResize", "2", "--control.leastAim", "0.9")
+    assert results["most_r"] == 2 and results["least_aim"] == 0.9, results
+    assert usual["unity"] != other["unity"]
+    assert used("--control.resizeStep", "0.5")[0]["macula"] != usual["macula"]
+    assert used("--control.expectedWorkMs", "90")[0]["yang2008"] != usual["yang2008"]
+
+
 def check_refusals(folder):
     for options, words in (
             ((), "name a scene"),
             (("smoke", "--plant"), "plant"),
+            (("--plant", "--size", "64x64"), "--size"),
+            (("--plant", "--load", "none"), "--load"),
             (("smokee",), "smoke"),
             (("smoke", "--load", "20"), "'20' is no step"),
             (("smoke", "--load", "20:0"), "'20:0' is no step"),
@@ -164,6 +180,7 @@ def check_report(folder, page):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(folder)
+        check_plant(folder)
         page = check_example(folder)
         check_easy(folder)
         check_hopeless(folder)

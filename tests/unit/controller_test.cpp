@@ -172,6 +172,16 @@ TEST(Controller, ATargetOutOfReachIsSaidAndRecoveredFrom) {
   EXPECT_EQ(controller.notice(), "");
 }
 
+TEST(Controller, ATimeOutOfReachIsSaidAnewOnceItHasMoved) {
+  const ControlSettings settings = settingsFor(kTargetMs);
+  Controller controller(settings);
+  const auto load = [](int frame) { return Load{40.0, frame < 300 ? 25.0 : 45.0, 0.0, 0.0}; };
+  PlantCase c = plantCase(500, load);
+  c.noise = 0.0;
+  run(controller, c);
+  EXPECT_THAT(controller.notice(), HasSubstr("47.5 ms with every lever at its end"));
+}
+
 TEST(Controller, WhatHasNoWorkIsLeftOut) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
