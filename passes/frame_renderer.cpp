@@ -17,7 +17,8 @@ namespace {
 /// N_limit before anything was counted: the paper's own range is 20 to 30 (Vasilakis 2017, 3.2).
 constexpr float kFirstLayerLimit = 30.0F;
 
-/// Whose work follows 1 / r^2: opaque and transparent; the last where nothing can be resized.
+/// Whose work follows 1 / r^2: opaque and transparent; the last until anything asks for less than
+/// full rate.
 constexpr std::string_view kShadePass = "lod.shade";
 constexpr std::string_view kTransparencyPasses = "oit.";
 constexpr std::string_view kLightingPass = "lighting";
@@ -102,6 +103,12 @@ void FrameRenderer::setLevers(const frame::Levers& levers) {
   const bool asks = levers.resize > 1.0F;
   if (asks && !mayResize_) prepared_ = false;
   mayResize_ = mayResize_ || asks;
+}
+
+bool FrameRenderer::canResize() const {
+  LodPlan plan;
+  planLod(plan, settings_.lod, settings_.foveation, inputs_.facts, true);
+  return plan.canResizeShading || plan.canResizeTransparency;
 }
 
 void FrameRenderer::setShadingLoad(int times) {
@@ -202,9 +209,8 @@ FrameResult FrameRenderer::resultOf(const shader::OitTotals& totals) {
 }
 
 bool FrameRenderer::isResizable(std::string_view pass) const {
-  if (lod_.transparency && pass.starts_with(kTransparencyPasses)) return true;
-  if (lod_.wanted) return pass == kShadePass;
-  return !lod_.transparency && pass == kLightingPass;
+  if (lod_.canResizeTransparency && pass.starts_with(kTransparencyPasses)) return true;
+  return lod_.canResizeShading && pass == (lod_.wanted ? kShadePass : kLightingPass);
 }
 
 void FrameRenderer::countShading(FrameResult& result) const {

@@ -49,7 +49,7 @@ struct ShadingCounts {
 struct FrameResult {
   double totalMs = 0.0;       ///< from glFinish to glFinish
   double resizeFactor = 1.0;  ///< r in use
-  double resizableMs = 0.0;   ///< of the passes whose work follows 1 / r^2
+  double resizableMs = 0.0;   ///< of the passes whose work follows, or would follow, 1 / r^2
   ShadingCounts shading;
   std::span<const frame::PassTime> passes;  ///< until the next frame
   std::optional<FragmentCounts> fragments;  ///< none where the method does not count
@@ -87,6 +87,8 @@ class FrameRenderer {
   /// For the following frames. Changes no allocation and keeps history; the first call that asks
   /// for less than full rate makes ready for it.
   void setLevers(const frame::Levers& levers);
+  /// Whether setLevers() can have anything computed at 1/r, by the present settings and scene.
+  [[nodiscard]] bool canResize() const;
   /// How many times over the shading of the following frames is computed: a load to try a
   /// controller on. The image stays the same. @param times >= 1
   void setShadingLoad(int times);

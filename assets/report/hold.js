@@ -24,7 +24,7 @@ function fillHeader() {
   }
   const gate = data.gate;
   const word = gate.met === null ? 'Not judged' : gate.met ? 'Met' : 'Missed';
-  const why = gate.met === null ? (data.clock_fault || 'nothing was controlled')
+  const why = gate.met === null ? (data.clock_fault || (held.judged_frames === 0 ? 'every frame settles' : 'nothing was controlled'))
     : `${percent(gate.within)} of the frames lie within ±${percent(gate.tolerance)} of the target; to reach: ${percent(gate.share)}. ` +
       `The tolerance is 5 % plus the spread of the fixed r in this run, ${percent(data.fixed.spread)}. ` +
       'The first ten frames, and ten after each change of the load, are left out.';
@@ -162,7 +162,7 @@ function fillTables() {
   }
   fill('parts', ['frames', 'shading', 'K', 'C', 'ideal r', 'time at the ideal', 'settled after', 'pixels of the ideal'],
     data.parts.map(p => [`${p.begin} to ${p.end - 1}`, loadName(p.load), ms(p.work_ms), ms(p.rest_ms), shown(p.ideal_r),
-      ms(p.reachable_ms), p.settle_frames === null ? 'never' : p.settle_frames === 1 ? '1 frame' : `${p.settle_frames} frames`, percent(p.used_pixels)]));
+      ms(p.reachable_ms), p.settle_frames === null ? 'never' : p.settle_frames === 1 ? '1 frame' : `${p.settle_frames} frames`, p.used_pixels === null ? 'none judged' : percent(p.used_pixels)]));
   fill('loads', ['shading', 'full rate', 'K', 'C at r = 2', 'least', 'ideal r'],
     data.loads.map(l => [loadName(l.times), ms(l.full_rate_ms), ms(l.work_ms), ms(l.rest_ms), ms(l.least_ms),
       shown(l.ideal_r)]));

@@ -59,18 +59,18 @@ void Controller::observe(const FrameTimes& times) {
 
 void Controller::moveResize(double wanted) {
   double& resize = values_[Lever::Resize];
-  resize = std::clamp(wanted, kLeastResize, made_.mostResize);
-  if (made_.resizeStep > 0.0) {
-    // The next one up: the one below would be late in every frame.
-    constexpr double kRounding = 1e-9;
-    const double rounded = std::ceil(resize / made_.resizeStep - kRounding) * made_.resizeStep;
-    resize = std::clamp(rounded, kLeastResize, made_.mostResize);
-  }
+  // Without a target there is nothing that other levers could take over.
+  const double most = law_->holdsTarget() ? made_.mostResize : kMostResize;
+  resize = std::clamp(wanted, kLeastResize, most);
+  resize = std::clamp(inSteps(resize, made_.resizeStep), kLeastResize, most);
 }
 
 const LeverValues& Controller::next(const FrameTimes* newest, double usedResize,
                                     const LeverWork& given) {
-  if (made_ != settings_) makeLaw();
+  if (made_ != settings_) {
+    if (made_.law != settings_.law) steps_.rest();
+    makeLaw();
+  }
   const std::uint64_t frame = asked_++;
   LeverWork work = given;
   work.fovea = work.fovea && made_.fovea;
@@ -87,7 +87,7 @@ const LeverValues& Controller::next(const FrameTimes* newest, double usedResize,
   if (fresh) observe(*known);
   const double wanted = law_->next(known, usedResize);
   resizeWorks_ = resizeHasWork(work);
-  steps_.decide(frame, made_.targetMs, work);
+  if (law_->holdsTarget()) steps_.decide(frame, made_.targetMs, work);
   // Levers are released from the end: r waits at its own until the others rest.
   if (resizeWorks_) moveResize(steps_.engaged() ? made_.mostResize : wanted);
   steps_.apply(values_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "engine/control/law.h"
@@ -36,12 +37,16 @@ void addDeviations(std::span<const HeldFrame> part, std::vector<double>& deviati
 
 std::optional<std::size_t> settling(std::span<const HeldFrame> part, double goalMs,
                                     double tolerance) {
-  for (std::size_t i = 0; i + kSettledFrames <= part.size(); ++i) {
+  if (part.size() < kSettledFrames) return {};
+  const std::size_t last = part.size() - kSettledFrames;
+  // One before the last median that lies outside.
+  std::size_t from = last + 1;
+  for (; from > 0; --from) {
     std::vector<double> next;
-    for (std::size_t j = i; j < i + kSettledFrames; ++j) next.push_back(part[j].ms);
-    if (std::abs(*median(next) / goalMs - 1.0) <= tolerance) return i;
+    for (const HeldFrame& frame : part.subspan(from - 1, kSettledFrames)) next.push_back(frame.ms);
+    if (std::abs(*median(next) / goalMs - 1.0) > tolerance) break;
   }
-  return {};
+  return from > last ? std::nullopt : std::optional(from);
 }
 
 /// Where the judged frames of a part should lie, ms.
@@ -60,16 +65,32 @@ double shareOf(std::size_t count, std::size_t of) {
   return of == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(of);
 }
 
-double reversalsPerHundred(std::span<const HeldFrame> frames) {
+/// Fills in HoldMeasures::changes and reversals.
+void countChanges(std::span<const HeldFrame> frames, HoldMeasures& m) {
   double direction = 0.0;
-  std::size_t count = 0;
+  std::size_t changes = 0;
+  std::size_t reversals = 0;
   for (std::size_t i = 1; i < frames.size(); ++i) {
     const double change = frames[i].resize - frames[i - 1].resize;
     if (change == 0.0) continue;
-    if (direction * change < 0.0) ++count;
+    ++changes;
+    if (direction * change < 0.0) ++reversals;
     direction = change;
   }
-  return 100.0 * shareOf(count, frames.size());
+  constexpr double kHundred = 100.0;
+  m.changes = kHundred * shareOf(changes, frames.size());
+  m.reversals = kHundred * shareOf(reversals, frames.size());
+}
+
+/// Fills in HoldMeasures::biasMs and sigmaMs.
+void addSpread(const std::vector<double>& times, double targetMs, HoldMeasures& m) {
+  if (times.empty()) return;
+  const auto count = static_cast<double>(times.size());
+  const double mean = std::accumulate(times.begin(), times.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double t : times) squares += (t - mean) * (t - mean);
+  m.biasMs = mean - targetMs;
+  m.sigmaMs = std::sqrt(squares / count);
 }
 
 }  // namespace
@@ -136,7 +157,7 @@ HoldMeasures measureHold(const HoldRun& run) {
       pixels += 1.0 / (frames[i].resize * frames[i].resize);
       ideal += 1.0 / (part.idealResize * part.idealResize);
     }
-    part.usedPixels = ideal > 0.0 ? pixels / ideal : 0.0;
+    if (ideal > 0.0) part.usedPixels = pixels / ideal;
   }
   std::size_t over = 0;
   for (const HeldFrame& frame : run.frames) {
@@ -148,11 +169,12 @@ HoldMeasures measureHold(const HoldRun& run) {
   m.withinTolerance = shareOf(within, m.judged);
   m.over102 = shareOf(late, m.judged);
   m.over110 = shareOf(veryLate, m.judged);
-  m.met = m.judged > 0 && m.withinTolerance >= kGateShare;
+  if (m.judged > 0) m.met = m.withinTolerance >= kGateShare;
   m.p50Ms = percentile(times, 0.5).value_or(0.0);
   m.p95Ms = percentile(times, 0.95).value_or(0.0);
   m.p99Ms = percentile(times, 0.99).value_or(0.0);
-  m.reversals = reversalsPerHundred(run.frames);
+  addSpread(times, run.targetMs, m);
+  countChanges(run.frames, m);
   return m;
 }
 

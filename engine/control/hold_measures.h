@@ -34,11 +34,12 @@ struct HoldPart {
   /// K / r^2 + C at the ideal r: the target, or less where full rate fits, more where r does not
   /// reach it.
   double reachableMs = 0.0;
-  /// Frames from the part's begin until the median of 5 times is in the tolerance; none where it
-  /// never is.
+  /// Frames from the part's begin from which on every median of 5 times is in the tolerance; none
+  /// where the last is not, or there are fewer times.
   std::optional<std::size_t> settleFrames;
-  double usedPixels =
-      0.0;  ///< over those of the ideal r, without the part's first kSettling frames
+  /// Over those of the ideal r, without the part's first kSettling frames; none where there are no
+  /// others.
+  std::optional<double> usedPixels;
 };
 
 /// Frames after the begin and after each change of the load that the gate leaves out.
@@ -58,14 +59,17 @@ struct HoldMeasures {
   double withinFive = 0.0;       ///< share of the judged frames within kGateTolerance of the target
   double withinTolerance = 0.0;  ///< the same with the spread: what the gate asks for
   double fixedWithin = 0.0;      ///< of the fixed r, around its own running median
-  bool met = false;              ///< the gate
+  std::optional<bool> met;       ///< the gate; none without judged frames
   double over102 = 0.0;          ///< share of the judged frames over 1.02 T
   double over110 = 0.0;          ///< over 1.1 T
   std::size_t longestOver = 0;   ///< frames in a row over 1.02 T, anywhere
   double p50Ms = 0.0;            ///< of the judged frames
   double p95Ms = 0.0;
   double p99Ms = 0.0;
-  double reversals = 0.0;  ///< of r's direction, a hundred frames
+  double biasMs = 0.0;     ///< their mean - T
+  double sigmaMs = 0.0;    ///< their standard deviation
+  double changes = 0.0;    ///< of r, a hundred frames
+  double reversals = 0.0;  ///< of its direction, a hundred frames
 };
 
 /// Frames count as within where they lie around the target, or around the time at r = 1 where full

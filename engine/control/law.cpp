@@ -30,6 +30,13 @@ constexpr std::array<Row, 7> kLaws{{{"macula", make<MaculaLaw>},
 
 }  // namespace
 
+double inSteps(double resize, double step) {
+  if (step <= 0.0) return resize;
+  // Of a step: renderers keep r as a float, whose last digit must not cost a whole step.
+  constexpr double kRounding = 1e-3;
+  return std::ceil(resize / step - kRounding) * step;
+}
+
 std::string noticeOf(Trouble trouble) {
   switch (trouble) {
     case Trouble::NoTimes:

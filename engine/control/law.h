@@ -41,6 +41,10 @@ enum class Trouble {
   Unreachable,  ///< r is at its end, and the time still over the target
 };
 
+/// The least multiple of `step` that is not below r; r itself where the step is 0. The one below
+/// would be late in every frame.
+[[nodiscard]] double inSteps(double resize, double step);
+
 /// One line; empty for Trouble::None.
 [[nodiscard]] std::string noticeOf(Trouble trouble);
 
@@ -67,6 +71,8 @@ class Law {
     return false;
   }
 
+  /// Whether it follows the times at all.
+  [[nodiscard]] virtual bool holdsTarget() const { return true; }
   [[nodiscard]] virtual Trouble trouble() const { return Trouble::None; }
   /// One line on why the law does nothing at present; empty where it works.
   [[nodiscard]] std::string notice() const { return noticeOf(trouble()); }

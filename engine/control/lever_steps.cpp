@@ -11,9 +11,9 @@ namespace {
 constexpr double kLate = 1.02;
 /// A step is taken back where the time without it would still be below this share of the target.
 constexpr double kRoom = 0.97;
-/// What a step is thought to save, at the most: the load may have changed beside it, and a step
-/// that seems to have saved half of the time would never be taken back.
-constexpr double kMostGain = 1.25;
+/// A time that is said to be out of reach is said anew once it differs by more than this: it is
+/// no reading of a clock.
+constexpr double kMoved = 0.1;
 
 const LeverInfo& infoOf(Lever lever) {
   return *std::ranges::find(kLeverOrder, lever, &LeverInfo::lever);
@@ -66,12 +66,16 @@ void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& w
   std::ranges::sort(sorted);
   medianMs_ = 0.5 * (sorted[(kWait - 1) / 2] + sorted[kWait / 2]);
   if (engaged() && steps_.back().gain == 0.0) {
-    steps_.back().gain = std::clamp(steps_.back().beforeMs / medianMs_, 1.0, kMostGain);
+    // The load may have changed beside it: a step that seems to have saved more than it can would
+    // never be taken back.
+    Step& step = steps_.back();
+    step.gain = std::clamp(step.beforeMs / medianMs_, 1.0, infoOf(step.lever).mostGain);
   }
   const bool before = std::exchange(exhausted_, false);
   if (medianMs_ > kLate * targetMs) {
     exhausted_ = !take(frame, work);
-    if (exhausted_ && !before) leastMs_ = medianMs_;
+    const bool moved = std::abs(medianMs_ / leastMs_ - 1.0) > kMoved;
+    if (exhausted_ && (!before || moved)) leastMs_ = medianMs_;
   } else if (engaged() && medianMs_ * steps_.back().gain < kRoom * targetMs) {
     steps_.pop_back();
     forgetTimes(frame);

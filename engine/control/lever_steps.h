@@ -12,8 +12,9 @@ namespace macula::control {
 
 /// Moves the levers behind r. A step is judged by the median of the times of kWait frames that were
 /// all drawn with it, so that it waits for as long as times are late and no single hitch moves
-/// anything. What a step has saved is kept: it is taken back once the time would stay below the
-/// target without it. No step can therefore be taken and taken back under the same load.
+/// anything. What a step has saved is kept, up to LeverInfo::mostGain: it is taken back once the
+/// time would stay below the target without it. A steady load therefore takes a step once: beyond
+/// 1.02 of the target it is taken, and below 0.97 without it given back.
 class LeverSteps {
  public:
   /// Frames that judge a step. The median of 10 times that spread by 4 % spreads by 1.6 %.
@@ -35,7 +36,8 @@ class LeverSteps {
   [[nodiscard]] bool engaged() const { return !steps_.empty(); }
   /// The last decision found the time over the target and no lever left.
   [[nodiscard]] bool exhausted() const { return exhausted_; }
-  /// Where exhausted(): the median time when it was first found so, ms.
+  /// Where exhausted(): the median time when it was first found so, or has since moved by a tenth,
+  /// ms.
   [[nodiscard]] double leastMs() const { return leastMs_; }
   /// Writes the slow levers' places.
   void apply(LeverValues& values) const;

@@ -20,6 +20,9 @@ struct LeverInfo {
   double rest;
   double end;
   double step;  ///< factor of one step; 0: moved by the law, without steps
+  /// Frame time before one step over the time after it, at the most: that of a frame which is
+  /// nothing but this lever's work.
+  double mostGain;
 };
 
 /// The order in which levers come into play; they are released from the end. Least error for each
@@ -27,13 +30,14 @@ struct LeverInfo {
 /// time in proportion to the pixels. The fovea's slope takes what the eye resolves least, and gives
 /// less. Fewer layers take whole surfaces out of the transparent depth.
 ///
-/// A step changes a slow lever's work by a quarter at the most: less is lost in the noise, more is
-/// seen. Ends: four times the slope of Guenter et al. 2012 shades coarser than anything they found
-/// acceptable; with a quarter of the layers, k-buffers of 4 layers are down to 1.
+/// A step changes a slow lever by a quarter: less is lost in the noise, more is seen. Layers cost
+/// in proportion to their number; foveated samples to the inverse square of the slope. Ends: four
+/// times the slope of Guenter et al. 2012 shades coarser than anything they found acceptable; with
+/// a quarter of the layers, k-buffers of 4 layers are down to 1.
 inline constexpr std::array<LeverInfo, kLeverCount> kLeverOrder{{
-    {Lever::Resize, "resize", "r", kLeastResize, kMostResize, 0.0},
-    {Lever::FoveaSlope, "fovea_slope", "fovea's slope", 1.0, 4.0, 1.25},
-    {Lever::LayerShare, "layer_share", "share of the layers", 1.0, 0.25, 0.8},
+    {Lever::Resize, "resize", "r", kLeastResize, kMostResize, 0.0, 1.0},
+    {Lever::FoveaSlope, "fovea_slope", "fovea's slope", 1.0, 4.0, 1.25, 1.25 * 1.25},
+    {Lever::LayerShare, "layer_share", "share of the layers", 1.0, 0.25, 0.8, 1.25},
 }};
 
 /// Where the levers stand. As built: all at rest.

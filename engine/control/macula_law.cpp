@@ -22,6 +22,9 @@ constexpr double kMostGrowth = 1.08;
 constexpr int kSilentFrames = 30;
 /// A change of 1/r^2 by this share must show in the times.
 constexpr double kEffectShare = 0.06;
+/// The same between r = 1 and more: reconstruction is added there, and may cost what a small step
+/// saves. A clock that does not follow sends r far at once, so that this is not rare.
+constexpr double kSwitchShare = 0.5;
 /// Changes are forgotten in some 50 of them.
 constexpr double kEffectMemory = 0.98;
 /// Of the change that the model expects, what must be seen, by as many standard deviations: it is
@@ -45,7 +48,9 @@ void MaculaLaw::watchEffect(const FrameTimes& times) {
   const double pixels = 1.0 / (times.resize * times.resize);
   const double before = 1.0 / (watched_.resize * watched_.resize);
   const bool neighbours = watched_.totalMs > 0.0 && times.frame == watched_.frame + 1;
-  if (neighbours && std::abs(pixels - before) >= kEffectShare * std::max(pixels, before)) {
+  const bool switches = (times.resize <= kLeastResize) != (watched_.resize <= kLeastResize);
+  const double share = switches ? kSwitchShare : kEffectShare;
+  if (neighbours && std::abs(pixels - before) >= share * std::max(pixels, before)) {
     const double expected = work_.level() * (pixels - before);
     const double most = kMostEffect * std::abs(expected);
     const double seen = std::clamp(times.totalMs - watched_.totalMs, -most, most);
@@ -106,12 +111,10 @@ double MaculaLaw::next(const FrameTimes* newest, double resize) {
              : cpuBound                  ? Trouble::CpuBound
                                          : Trouble::None;
   if (std::abs(goal - resize) <= kDeadBand * resize && goal > kLeastResize) return resize;
-  const double leastNow = std::max(resize / std::sqrt(kMostGrowth), kLeastResize);
-  const double chosen = std::max(goal, leastNow);
-  if (step_ <= 0.0) return chosen;
-  // Where r comes in steps, the next one up: the one below would be late in every frame.
-  constexpr double kRounding = 1e-9;
-  return std::min(std::ceil(chosen / step_ - kRounding) * step_, mostResize_);
+  // One step down is allowed at any time: a coarser one than the growth would else never be left.
+  const double grown = std::min(resize / std::sqrt(kMostGrowth), resize - step_);
+  const double leastNow = std::max(grown, kLeastResize);
+  return std::clamp(inSteps(std::max(goal, leastNow), step_), kLeastResize, mostResize_);
 }
 
 bool MaculaLaw::scalePixels(double ratio) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/control/law.h"
@@ -112,8 +113,12 @@ struct PlantMeasures {
   double reversalsPerSecond = 0.0;  ///< of its direction
 };
 
+/// Both with the case's step of r; with that of the options where the case has none.
+[[nodiscard]] std::pair<PlantCase, LawOptions> withStep(PlantCase plantCase, LawOptions options);
+
 /// Measures a law over some seeds: the worst settling, means of the rest. The limit cycle is
 /// looked for in a run of its own without noise.
+/// @param options their step of r counts where the case has none
 [[nodiscard]] PlantMeasures measureLaw(const std::string& law, const PlantCase& plantCase,
                                        const LawOptions& options, int seeds);
 

@@ -97,10 +97,15 @@ PlantMeasures measureRun(const PlantRun& run, const PlantCase& c, double targetM
 
 }  // namespace
 
-PlantMeasures measureLaw(const std::string& name, const PlantCase& plantCase,
-                         const LawOptions& given, int seeds) {
-  LawOptions options = given;
+std::pair<PlantCase, LawOptions> withStep(PlantCase plantCase, LawOptions options) {
+  if (plantCase.resizeStep == 0.0) plantCase.resizeStep = options.resizeStep;
   options.resizeStep = plantCase.resizeStep;
+  return {std::move(plantCase), options};
+}
+
+PlantMeasures measureLaw(const std::string& name, const PlantCase& given,
+                         const LawOptions& givenOptions, int seeds) {
+  const auto [plantCase, options] = withStep(given, givenOptions);
   PlantMeasures sum;
   bool settles = true;
   int worst = 0;

@@ -6,8 +6,8 @@
 namespace macula::control {
 namespace {
 
-double limited(double resize) {
-  return std::clamp(resize, kLeastResize, kMostResize);
+double limited(double resize, double most) {
+  return std::clamp(resize, kLeastResize, most);
 }
 
 bool hasTime(const FrameTimes* times) {
@@ -15,8 +15,8 @@ bool hasTime(const FrameTimes* times) {
 }
 
 /// r of a linear scale.
-double ofScale(double scale) {
-  return limited(1.0 / std::max(scale, 1.0 / kMostResize));
+double ofScale(double scale, double most) {
+  return limited(1.0 / std::max(scale, 1.0 / most), most);
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ double YangLaw::next(const FrameTimes* newest, double resize) {
   if (!hasTime(newest)) return resize;
   const double pixels = 1.0 / (resize * resize) + (targetMs_ - newest->totalMs) / work_;
   // Eq. 4 asks for no pixels, or fewer, where the time is far over the target.
-  const double goal = pixels > 0.0 ? 1.0 / std::sqrt(pixels) : kMostResize;
-  return limited(std::clamp(goal, resize - kMostChange, resize + kMostChange));
+  const double goal = pixels > 0.0 ? 1.0 / std::sqrt(pixels) : mostResize_;
+  return limited(std::clamp(goal, resize - kMostChange, resize + kMostChange), mostResize_);
 }
 
 double FilamentLaw::next(const FrameTimes* newest, double resize) {
@@ -43,11 +43,11 @@ double FilamentLaw::next(const FrameTimes* newest, double resize) {
   const double error = 1.0 - sorted[kWindow / 2] / targetMs_;
   if (error > kDeadLow && error < kDeadHigh) return resize;
   const bool clamped =
-      (resize <= kLeastResize && error > 0.0) || (resize >= kMostResize && error < 0.0);
+      (resize <= kLeastResize && error > 0.0) || (resize >= mostResize_ && error < 0.0);
   if (!clamped) integral_ += error;
   const double out = kProportional * error + kIntegral * integral_;
   const double areaFactor = out < 0.0 ? 1.0 / (1.0 - out) : 1.0 + out;
-  return limited(resize / std::sqrt(areaFactor));
+  return limited(resize / std::sqrt(areaFactor), mostResize_);
 }
 
 double UnrealLaw::next(const FrameTimes* newest, double resize) {
@@ -64,7 +64,7 @@ double UnrealLaw::next(const FrameTimes* newest, double resize) {
     over_ = 0;
     count_ = 0;
     sinceChange_ = 0;
-    return std::max(resize, ofScale(met));
+    return std::max(resize, ofScale(met, mostResize_));
   }
   // Newer frames weigh more, linearly.
   const std::size_t have = std::min(count_, kWindow);
@@ -75,7 +75,7 @@ double UnrealLaw::next(const FrameTimes* newest, double resize) {
     sum += weight * scales_[(count_ - 1 - age) % kWindow];
     weights += weight;
   }
-  const double goal = ofScale(sum / weights);
+  const double goal = ofScale(sum / weights, mostResize_);
   const bool enough = std::abs(goal / resize - 1.0) >= kLeastChange;
   if (!enough || sinceChange_ < kLeastApart || have < kWindow) return resize;
   sinceChange_ = 0;
@@ -86,7 +86,7 @@ double UnityLaw::next(const FrameTimes* newest, double resize) {
   constexpr int kFrames = 15;
   constexpr int kWindowsDown = 4;
   constexpr int kWindowsUp = 8;
-  constexpr double kRange = 1.0 - 1.0 / kMostResize;
+  const double range = 1.0 - 1.0 / mostResize_;
   if (!hasTime(newest)) return resize;
   sum_ += newest->totalMs;
   if (++count_ < kFrames) return resize;
@@ -98,12 +98,12 @@ double UnityLaw::next(const FrameTimes* newest, double resize) {
   double scale = 1.0 / resize;
   if (overWindows_ >= kWindowsDown) {
     overWindows_ = 0;
-    scale -= 0.5 * kRange;
+    scale -= 0.5 * range;
   } else if (underWindows_ >= kWindowsUp) {
     underWindows_ = 0;
-    scale += 0.2 * kRange;
+    scale += 0.2 * range;
   }
-  return ofScale(scale);
+  return ofScale(scale, mostResize_);
 }
 
 double IdLaw::next(const FrameTimes* newest, double resize) {
@@ -113,11 +113,11 @@ double IdLaw::next(const FrameTimes* newest, double resize) {
   if (!hasTime(newest)) return resize;
   if (newest->totalMs > targetMs_) {
     under_ = 0;
-    return ofScale(1.0 / resize - kDown);
+    return ofScale(1.0 / resize - kDown, mostResize_);
   }
   if (++under_ < kFrames) return resize;
   under_ = 0;
-  return ofScale(1.0 / resize + kUp);
+  return ofScale(1.0 / resize + kUp, mostResize_);
 }
 
 }  // namespace macula::control

@@ -8,11 +8,12 @@
 
 namespace macula::control {
 
-/// Always the same r.
+/// Always the same r, whatever LawOptions::mostResize is.
 class FixedLaw final : public Law {
  public:
   explicit FixedLaw(const LawOptions& options) : resize_(options.fixedResize) {}
   [[nodiscard]] double next(const FrameTimes*, double) override { return resize_; }
+  [[nodiscard]] bool holdsTarget() const override { return false; }
 
  private:
   double resize_;
@@ -23,23 +24,28 @@ class FixedLaw final : public Law {
 class YangLaw final : public Law {
  public:
   explicit YangLaw(const LawOptions& options)
-      : targetMs_(options.targetMs), work_(options.expectedWorkMs) {}
+      : targetMs_(options.targetMs),
+        mostResize_(options.mostResize),
+        work_(options.expectedWorkMs) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
 
  private:
   double targetMs_;
+  double mostResize_;
   double work_;
 };
 
 /// Filament's dynamic resolution: a PI controller on the area, on the median of 15 times.
 class FilamentLaw final : public Law {
  public:
-  explicit FilamentLaw(const LawOptions& options) : targetMs_(options.targetMs) {}
+  explicit FilamentLaw(const LawOptions& options)
+      : targetMs_(options.targetMs), mostResize_(options.mostResize) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
 
  private:
   static constexpr std::size_t kWindow = 15;
   double targetMs_;
+  double mostResize_;
   std::array<double, kWindow> times_{};
   std::size_t count_ = 0;
   double integral_ = 0.0;
@@ -49,12 +55,14 @@ class FilamentLaw final : public Law {
 /// 0.9 T; changes of 2 % or more, 8 frames apart; at once after 2 frames over the budget.
 class UnrealLaw final : public Law {
  public:
-  explicit UnrealLaw(const LawOptions& options) : targetMs_(options.targetMs) {}
+  explicit UnrealLaw(const LawOptions& options)
+      : targetMs_(options.targetMs), mostResize_(options.mostResize) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
 
  private:
   static constexpr std::size_t kWindow = 16;
   double targetMs_;
+  double mostResize_;
   std::array<double, kWindow> scales_{};
   std::size_t count_ = 0;
   int sinceChange_ = 0;
@@ -65,11 +73,13 @@ class UnrealLaw final : public Law {
 /// after 8 below it.
 class UnityLaw final : public Law {
  public:
-  explicit UnityLaw(const LawOptions& options) : targetMs_(options.targetMs) {}
+  explicit UnityLaw(const LawOptions& options)
+      : targetMs_(options.targetMs), mostResize_(options.mostResize) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
 
  private:
   double targetMs_;
+  double mostResize_;
   double sum_ = 0.0;
   int count_ = 0;
   int overWindows_ = 0;
@@ -80,11 +90,13 @@ class UnityLaw final : public Law {
 /// below it.
 class IdLaw final : public Law {
  public:
-  explicit IdLaw(const LawOptions& options) : targetMs_(options.targetMs) {}
+  explicit IdLaw(const LawOptions& options)
+      : targetMs_(options.targetMs), mostResize_(options.mostResize) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
 
  private:
   double targetMs_;
+  double mostResize_;
   int under_ = 0;
 };
 

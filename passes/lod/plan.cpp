@@ -38,8 +38,10 @@ void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings
       plan.parts.shading || plan.parts.shadow || plan.parts.occlusion || plan.parts.noise;
   plan.foveated = foveation.enabled;
   const bool resizes = settings.resize > control::kLeastResize || mayResize;
-  plan.wanted = facts.litOpaque && something && (resizes || foveation.enabled);
-  plan.transparency = settings.transparency && facts.transparentTriangles > 0 && resizes;
+  plan.canResizeShading = facts.litOpaque && something;
+  plan.canResizeTransparency = settings.transparency && facts.transparentTriangles > 0;
+  plan.wanted = plan.canResizeShading && (resizes || foveation.enabled);
+  plan.transparency = plan.canResizeTransparency && resizes;
   plan.reconstruction = settings.reconstruction;
   plan.holes = settings.holes;
   plan.demodulates = settings.demodulate && plan.parts.shading &&

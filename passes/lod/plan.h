@@ -25,6 +25,9 @@ struct LodPlan {
   bool foveated = false;
   /// Transparent surfaces may be drawn at 1/r, too. Foveation does not apply to them.
   bool transparency = false;
+  /// What could be computed at 1/r if any r above 1 was asked for.
+  bool canResizeShading = false;
+  bool canResizeTransparency = false;
 
   double resize = 1.0;      ///< r; 1 where nothing is resized
   glm::ivec2 size{0};       ///< samples of the image

@@ -88,6 +88,27 @@ def check_hopeless(folder):
     assert float(last["fovea_slope"]) == 1, "nothing is foveated"
 
 
+def check_fixed(folder):
+    """r as it is set, in every frame, and what is computed at 1/r has a time."""
+    hold(folder, "car", "--size", "64x64", "--warmup", "1", "--frames", "30", "--law", "fixed",
+         "--control.fixedR", "2", "--load", "none", "--out", "fixed")
+    for row in rows_of(os.path.join(folder, "fixed", "results.csv")):
+        assert float(row["r"]) == 2 and float(row["lever_resize"]) == 2, row
+        assert float(row["resizable_ms"]) > 0, row
+
+
+def check_nothing(folder):
+    """Where nothing can be computed at 1/r (no surface has veins), r is not asked for."""
+    results = json.loads(hold(folder, "smoke", "--target-ms", "0.01", "--load", "none",
+                              "--lod.what", "noise", *SHORT, "--json", "-",
+                              "--out", "nothing").stdout)
+    for row in rows_of(os.path.join(folder, "nothing", "results.csv")):
+        assert float(row["r"]) == 1 and float(row["lever_resize"]) == 1, row
+        assert float(row["resizable_ms"]) == 0, row
+    assert "nothing is computed at 1/r" in results["notices"][0]["text"], results["notices"]
+    assert results["notices"][0]["frame"] == 0, results["notices"]
+
+
 def check_off(folder):
     results = json.loads(hold(folder, "smoke", "--law", "off", *SHORT, "--json", "-").stdout)
     assert results["gate"]["met"] is None and results["notices"] == []
@@ -100,10 +121,26 @@ def check_share(folder):
     assert abs(results["target_ms"] / results["loads"][0]["full_rate_ms"] - 0.5) < 1e-9
 
 
+def check_plant(folder):
+    """The settings of the laws reach the plant."""
+    def used(*options):
+        results = json.loads(hold(folder, "--plant", "--seeds", "1", "--json", "-",
+                                  *options).stdout)
+        return {law: cases["unreachable"] for law, cases in results["laws"].items()}, results
+    usual, _ = used()
+    other, results = used("--control.mostResize", "2", "--control.leastAim", "0.9")
+    assert results["most_r"] == 2 and results["least_aim"] == 0.9, results
+    assert usual["unity"] != other["unity"]
+    assert used("--control.resizeStep", "0.5")[0]["macula"] != usual["macula"]
+    assert used("--control.expectedWorkMs", "90")[0]["yang2008"] != usual["yang2008"]
+
+
 def check_refusals(folder):
     for options, words in (
             ((), "name a scene"),
             (("smoke", "--plant"), "plant"),
+            (("--plant", "--size", "64x64"), "--size"),
+            (("--plant", "--load", "none"), "--load"),
             (("smokee",), "smoke"),
             (("smoke", "--load", "20"), "'20' is no step"),
             (("smoke", "--load", "20:0"), "'20:0' is no step"),
@@ -143,9 +180,12 @@ def check_report(folder, page):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(folder)
+        check_plant(folder)
         page = check_example(folder)
         check_easy(folder)
         check_hopeless(folder)
+        check_fixed(folder)
+        check_nothing(folder)
         check_off(folder)
         check_share(folder)
         check_report(folder, page)

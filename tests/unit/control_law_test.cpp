@@ -85,6 +85,31 @@ TEST(MaculaLaw, ComesBackSlowlyAndStaysInItsDeadBand) {
   EXPECT_EQ(law->next(nullptr, 1.602), 1.602);
 }
 
+TEST(MaculaLaw, ComesDownInStepsThatAreCoarserThanItsGrowth) {
+  for (const double step : {1.0 / 16.0, 0.1, 0.25, 1.0}) {
+    LawOptions options = target(10.0);
+    options.resizeStep = step;
+    const auto law = makeLaw("macula", options);
+    double resize = inSteps(1.9, step);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      resize = static_cast<double>(static_cast<float>(resize));  // as a renderer keeps it
+      const FrameTimes times = timesOf(i, resize, 20.0, 2.0);
+      const double next = law->next(&times, resize);
+      EXPECT_GE(next, resize - step - 1e-6);
+      resize = next;
+    }
+    // sqrt(20 / 8) = 1.5811 in calm times, and the next step up.
+    EXPECT_NEAR(resize, inSteps(1.583, step), 1e-6) << step;
+  }
+}
+
+TEST(InSteps, TheNextOneUpAndAFloatIsNoStepMore) {
+  EXPECT_EQ(inSteps(1.3, 0.0), 1.3);
+  EXPECT_EQ(inSteps(1.3, 0.25), 1.5);
+  EXPECT_EQ(inSteps(1.5, 0.25), 1.5);
+  EXPECT_NEAR(inSteps(static_cast<double>(1.1F), 0.1), 1.1, 1e-12);  // 1.1F is 1.10000002
+}
+
 /// Draws 200 frames of a load under a law, with times that `spoil` may change; gives the last r.
 template <typename Spoil>
 double settled(Law& law, double workMs, double fixedMs, Spoil spoil) {
@@ -147,6 +172,18 @@ TEST(MaculaLaw, SwitchesOffWhereTheClockDoesNotFollow) {
   EXPECT_NE(law->notice().find("control is off"), std::string::npos) << law->notice();
 }
 
+TEST(MaculaLaw, ReconstructionSwitchedOnIsNoClockThatDoesNotFollow) {
+  const auto law = makeLaw("macula", target(10.0));
+  // From r = 1 to 1.1 the work falls by 17 %, and reconstruction costs as much.
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const double resize = i % 2 == 0 ? 1.0 : 1.1;
+    FrameTimes times = timesOf(i, resize, 20.0, 2.0);
+    if (i % 2 == 1) times.totalMs = 22.0;
+    static_cast<void>(law->next(&times, resize));
+    ASSERT_EQ(law->trouble(), Trouble::None) << i;
+  }
+}
+
 TEST(MaculaLaw, ACpuBoundFrameKeepsItsResolution) {
   const auto law = makeLaw("macula", target(10.0));
   const auto cpu = [](std::uint64_t, FrameTimes& times) {
@@ -205,6 +242,37 @@ TEST(UnityLaw, WaitsForFourWindows) {
   const FrameTimes times = timesOf(0, 1.0, 18.0, 2.0);
   for (int i = 0; i < 59; ++i) EXPECT_EQ(law->next(&times, 1.0), 1.0);
   EXPECT_NEAR(law->next(&times, 1.0), 1.0 / (1.0 - 0.4375), 1e-12);
+}
+
+TEST(Laws, StayBelowTheirMostResize) {
+  LawOptions options = target(10.0);
+  options.mostResize = 2.0;
+  for (const std::string& name : lawNames()) {
+    const auto law = makeLaw(name, options);
+    double resize = 1.0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const FrameTimes times = timesOf(i, resize, 400.0, 20.0);
+      resize = law->next(&times, resize);
+      EXPECT_LE(resize, 2.0) << name;
+    }
+    EXPECT_EQ(resize, law->holdsTarget() ? 2.0 : 1.0) << name;
+  }
+}
+
+TEST(FilamentLaw, IsNotWoundUpAtItsOwnEnd) {
+  LawOptions options = target(10.0);
+  options.mostResize = 2.0;
+  const auto law = makeLaw("filament", options);
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const FrameTimes late = timesOf(i, 2.0, 0.0, 20.0);
+    EXPECT_EQ(law->next(&late, 2.0), 2.0);
+  }
+  double resize = 2.0;
+  for (std::uint64_t i = 400; i < 415; ++i) {
+    const FrameTimes early = timesOf(i, 2.0, 0.0, 5.0);
+    resize = law->next(&early, 2.0);
+  }
+  EXPECT_LT(resize, 2.0);  // 400 errors of -1, summed, would hold it for 800 frames more
 }
 
 TEST(Laws, AnUnknownNameNamesTheNearest) {

@@ -83,6 +83,16 @@ TEST(MaculaOnThePlant, KeepsTheGatesUnderBadClocks) {
   }
 }
 
+TEST(MaculaOnThePlant, ComesDownInStepsWhenTheWorkHalves) {
+  PlantCase c = caseNamed("work-halves");
+  c.resizeStep = 1.0 / 16.0;
+  const PlantMeasures m = measureLaw("macula", c, {}, kSeeds);
+  ASSERT_TRUE(m.settleFrames);
+  EXPECT_LE(m.overShare, 0.01);
+  EXPECT_GE(m.usedPixels, 0.9);  // up to a sixteenth above 1.21 costs 10 % of the pixels
+  EXPECT_FALSE(m.limitCycle);
+}
+
 TEST(MaculaOnThePlant, FollowsRampsAndSines) {
   for (const char* name : {"ramp", "sine"}) {
     const PlantMeasures m = measureLaw("macula", caseNamed(name), {}, kSeeds);

@@ -139,6 +139,20 @@ TEST(Controller, SlowLeversHoldWhatRCannotAndDoNotSwing) {
   }
 }
 
+TEST(Controller, AStepThatSavesMoreThanAQuarterIsKept) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  settings.mostResize = 1.0;
+  // 14 + 3 = 17 ms is late; one step of the slope leaves 14 / 1.5625 + 3 = 11.96.
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    Controller controller(settings);
+    PlantCase c = plantCase(400, [](int) { return Load{14.0, 3.0, 0.0, 1.0}; });
+    const PlantRun drawn = run(controller, c, kTargetMs, seed);
+    for (std::size_t i = 50; i < drawn.frames.size(); ++i) {
+      ASSERT_EQ(drawn.frames[i].levers[Lever::FoveaSlope], 1.25) << "seed " << seed << ", " << i;
+    }
+  }
+}
+
 TEST(Controller, ATargetOutOfReachIsSaidAndRecoveredFrom) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
@@ -156,6 +170,16 @@ TEST(Controller, ATargetOutOfReachIsSaidAndRecoveredFrom) {
   EXPECT_EQ(controller.levers()[Lever::LayerShare], 1.0);
   EXPECT_NEAR(20.0 / (resize * resize) + 2.0, kTargetMs, 0.2);
   EXPECT_EQ(controller.notice(), "");
+}
+
+TEST(Controller, ATimeOutOfReachIsSaidAnewOnceItHasMoved) {
+  const ControlSettings settings = settingsFor(kTargetMs);
+  Controller controller(settings);
+  const auto load = [](int frame) { return Load{40.0, frame < 300 ? 25.0 : 45.0, 0.0, 0.0}; };
+  PlantCase c = plantCase(500, load);
+  c.noise = 0.0;
+  run(controller, c);
+  EXPECT_THAT(controller.notice(), HasSubstr("47.5 ms with every lever at its end"));
 }
 
 TEST(Controller, WhatHasNoWorkIsLeftOut) {
@@ -318,6 +342,28 @@ TEST(Controller, SettingsTakeEffectWithTheNextFrame) {
   settings.law = "off";
   EXPECT_EQ(controller.next(nullptr, 2.25, kAll), LeverValues{});
   EXPECT_FALSE(controller.active());
+}
+
+TEST(Controller, AnotherLawTakesTheSlowLeversBack) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  Controller controller(settings);
+  run(controller, plantCase(300, [](int) { return Load{80.0, 4.0, 14.0, 0.0}; }));
+  ASSERT_LT(controller.levers()[Lever::LayerShare], 1.0);
+  settings.law = "yang2008";
+  EXPECT_EQ(controller.next(nullptr, 4.0, kAll)[Lever::LayerShare], 1.0);
+}
+
+TEST(Controller, AFixedRMovesNoLeverAndHasNoEndOfItsOwn) {
+  ControlSettings settings = settingsFor(kTargetMs);
+  settings.law = "fixed";
+  settings.fixedResize = 6.0;
+  settings.mostResize = 4.0;
+  Controller controller(settings);
+  run(controller, plantCase(200, [](int) { return Load{400.0, 40.0, 14.0, 0.5}; }));
+  LeverValues expected;
+  expected[Lever::Resize] = 6.0;
+  EXPECT_EQ(controller.levers(), expected);
+  EXPECT_EQ(controller.notice(), "");
 }
 
 TEST(Controller, SaysWhatHoldsTheFrameInstead) {

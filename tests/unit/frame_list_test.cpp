@@ -64,6 +64,22 @@ TEST(FrameList, IsSoundForEveryCombinationWithResizedTransparency) {
   }
 }
 
+TEST(FrameList, KnowsWhatCouldBeResizedBeforeItIs) {
+  const auto planOf = [](const LodSettings& settings, const scene::SceneFacts& facts) {
+    LodPlan plan;
+    planLod(plan, settings, {}, facts, false);
+    EXPECT_FALSE(plan.wanted || plan.transparency);
+    return std::pair{plan.canResizeShading, plan.canResizeTransparency};
+  };
+  using Pair = std::pair<bool, bool>;
+  const scene::SceneFacts unlit{.opaqueTriangles = 1, .transparentTriangles = 1};
+  const scene::SceneFacts lit{.opaqueTriangles = 1, .transparentTriangles = 1, .litOpaque = true};
+  EXPECT_EQ(planOf({}, unlit), Pair(false, false));
+  EXPECT_EQ(planOf({.transparency = true}, unlit), Pair(false, true));
+  EXPECT_EQ(planOf({}, lit), Pair(true, false));
+  EXPECT_EQ(planOf({.what = "shadow"}, lit), Pair(false, false)) << "no light casts shadows";
+}
+
 TEST(FrameList, ResizesTransparencyOnlyWhereItIsAskedFor) {
   const scene::SceneFacts glass{.opaqueTriangles = 1, .transparentTriangles = 1};
   const auto resizes = [](const LodSettings& settings, const scene::SceneFacts& facts,

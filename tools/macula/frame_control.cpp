@@ -11,6 +11,12 @@ frame::Levers leversOf(const control::LeverValues& values) {
           .layerShare = static_cast<float>(values[Lever::LayerShare])};
 }
 
+/// Whether fewer layers take less time: the slots of stencil routing are samples of the target, of
+/// which those not used lie idle.
+bool hasLayers(const passes::Method& method) {
+  return method.hasBudget() && method.insertion != passes::Insertion::StencilRouted;
+}
+
 }  // namespace
 
 std::string clockFaultOf(const gl::TimeSourceCheck& check) {
@@ -22,9 +28,9 @@ std::string clockFaultOf(const gl::TimeSourceCheck& check) {
 
 void FrameControl::steer(passes::FrameRenderer& renderer) {
   const control::LeverWork work{
-      .resize = true,  // times tell
+      .resize = renderer.canResize(),
       .fovea = rendering_.foveation.enabled,
-      .layers = passes::methodById(rendering_.oit.method).hasBudget() &&
+      .layers = hasLayers(passes::methodById(rendering_.oit.method)) &&
                 renderer.inputs().facts.transparentTriangles > 0,
   };
   const control::LeverValues& values =

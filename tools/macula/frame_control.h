@@ -28,8 +28,6 @@ class FrameControl {
   /// @param cpuMs, intervalMs as control::FrameTimes has them
   void note(const passes::FrameResult& result, std::optional<double> cpuMs = {},
             std::optional<double> intervalMs = {});
-  /// The frame was not drawn to its end: it has no times.
-  void skip() { times_.reset(); }
   /// The next frames have so many pixels.
   void resized(glm::ivec2 size);
   /// The next frames are of another scene.

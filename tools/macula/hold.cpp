@@ -95,6 +95,10 @@ void addHold(CLI::App& root) {
           ->check(CLI::Range(kLeastShare, kMostShare))
           ->needs(scene);
   addSceneOptions(*command, *o);
+  for (const char* name :
+       {"--gaze", "--camera", "--frames", "--size", "--fps", "--warmup", "--load", "--platform"}) {
+    plant->excludes(command->get_option(name));
+  }
   command->add_option("--out", o->out, "Folder for results.csv, results.json and report.html");
   addJsonOption(*command, o->json);
   settings::addOptions(*command, o->registry);

@@ -35,9 +35,9 @@ Json measuresJson(const control::PlantMeasures& m) {
 }
 
 /// Frame times and r of one run, for the charts.
-Json traceOf(const std::string& name, const control::PlantCase& plantCase,
-             control::LawOptions options) {
-  options.resizeStep = plantCase.resizeStep;
+Json traceOf(const std::string& name, const control::PlantCase& given,
+             const control::LawOptions& givenOptions) {
+  const auto [plantCase, options] = control::withStep(given, givenOptions);
   const auto law = control::makeLaw(name, options);
   const control::PlantRun run = control::runPlant(*law, plantCase, options.targetMs, 1);
   Json times = Json::array();
@@ -70,11 +70,14 @@ std::string csvOf(const Json& results) {
 
 void holdPlant(const HoldOptions& options) {
   if (!options.out.empty()) makeOutputFolder(options.out);
-  control::LawOptions law;
-  law.targetMs = options.control.targetMs;
+  const control::LawOptions law = control::lawOptionsOf(options.control);
   Json results{{"schema", 1},
                {"commit", MACULA_COMMIT},
                {"target_ms", law.targetMs},
+               {"most_r", law.mostResize},
+               {"r_step", law.resizeStep},
+               {"expected_work_ms", law.expectedWorkMs},
+               {"least_aim", law.leastAim},
                {"seeds", options.seeds},
                {"laws", Json::object()}};
   Json traces = Json::object();

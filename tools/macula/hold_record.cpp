@@ -20,6 +20,11 @@ double rounded(double value) {
   return std::round(value * 1e3) / 1e3;
 }
 
+template <typename T>
+ordered_json orNull(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
 ordered_json partJson(const control::HoldPart& part, const HoldRecord& record) {
   return {{"begin", part.begin},
           {"end", part.end},
@@ -28,9 +33,8 @@ ordered_json partJson(const control::HoldPart& part, const HoldRecord& record) {
           {"rest_ms", part.restMs},
           {"ideal_r", part.idealResize},
           {"reachable_ms", part.reachableMs},
-          {"settle_frames",
-           part.settleFrames ? ordered_json(*part.settleFrames) : ordered_json(nullptr)},
-          {"used_pixels", part.usedPixels}};
+          {"settle_frames", orNull(part.settleFrames)},
+          {"used_pixels", orNull(part.usedPixels)}};
 }
 
 ordered_json measuresJson(const control::HoldMeasures& m) {
@@ -43,6 +47,9 @@ ordered_json measuresJson(const control::HoldMeasures& m) {
           {"p50_ms", m.p50Ms},
           {"p95_ms", m.p95Ms},
           {"p99_ms", m.p99Ms},
+          {"sigma_ms", m.sigmaMs},
+          {"bias_ms", m.biasMs},
+          {"changes_per_100", m.changes},
           {"reversals_per_100", m.reversals}};
 }
 
@@ -97,7 +104,7 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
   json["gate"] = {{"tolerance", m.tolerance},
                   {"share", control::kGateShare},
                   {"within", m.withinTolerance},
-                  {"met", m.met}};
+                  {"met", orNull(m.met)}};
   if (!isControlled(record, options)) json["gate"]["met"] = nullptr;
   json["held"] = measuresJson(m);
   json["fixed"] = {
@@ -171,12 +178,13 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
   text += fmt::format("target {:.2f} ms by {}: median {:.2f}, p95 {:.2f}, p99 {:.2f} ms\n",
                       record.targetMs, options.control.law, m.p50Ms, m.p95Ms, m.p99Ms);
   for (const control::HoldPart& part : m.parts) {
-    text += fmt::format("frames {} to {}, load {}: {}; {:.1f} % of the ideal's pixels\n",
-                        part.begin, part.end - 1, record.frames[part.begin].load,
-                        part.settleFrames
-                            ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
-                            : std::string("never settled"),
-                        kPercent * part.usedPixels);
+    text += fmt::format(
+        "frames {} to {}, load {}: {}; {}\n", part.begin, part.end - 1,
+        record.frames[part.begin].load,
+        part.settleFrames ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
+                          : std::string("never settled"),
+        part.usedPixels ? fmt::format("{:.1f} % of the ideal's pixels", kPercent * *part.usedPixels)
+                        : std::string("too short to be judged"));
   }
   text += fmt::format("over 1.02 T {:.1f} %, over 1.1 T {:.1f} %, at most {} in a row\n",
                       kPercent * m.over102, kPercent * m.over110, m.longestOver);
@@ -189,8 +197,9 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
   }
   const std::string verdict = !isControlled(record, options)
                                   ? "not judged, for nothing is controlled"
-                              : m.met ? "met"
-                                      : "missed";
+                              : !m.met ? "not judged, for every frame settles"
+                              : *m.met ? "met"
+                                       : "missed";
   text +=
       fmt::format("within 5 % and the spread: {:.1f} % of {} frames (to reach: {:.0f} %): {}\n",
                   kPercent * m.withinTolerance, m.judged, kPercent * control::kGateShare, verdict);

@@ -130,7 +130,7 @@ void WalkSession::frame() {
   // scripts and --frames mean the same on any machine.
   if (!busy()) ++frames_;
   ui_.endFrame();
-  noteTimes(begin);
+  measureTimes(begin);
   // A window that is closed has drawn its last frame as well.
   if (done()) finish();
   window_.swap();
@@ -143,6 +143,7 @@ void WalkSession::prepareEvents(Clock::time_point now) {
   events_.timeSeconds = std::chrono::duration<double>(now - begin_).count();
   events_.deltaSeconds = secondsBetween(last_, now);
   last_ = now;
+  noteTimes();
   events_.windowSize = size_;
   events_.pictureSize = second_->pictureSize(size_);
   events_.resized = events_.pictureSize != pictureSize_;
@@ -156,14 +157,21 @@ void WalkSession::prepareEvents(Clock::time_point now) {
   events_.scene = scene_.name;
 }
 
-void WalkSession::noteTimes(Clock::time_point begin) {
+void WalkSession::measureTimes(Clock::time_point begin) {
   // What is neither the renderer's nor the display's is the CPU's; with two methods, the other is
   // no time of this one.
   const float busyMs = 1e3F * secondsBetween(begin, Clock::now());
   const double others = second_->shown() ? second_->result().totalMs : 0.0;
   const double cpuMs = std::max(static_cast<double>(busyMs) - result_.totalMs - others, 0.0);
+  unnoted_ = {.cpuMs = cpuMs, .othersMs = others};
+}
+
+void WalkSession::noteTimes() {
+  if (!unnoted_) return;
+  // A frame lasts until the next begins.
   const double intervalMs = 1e3 * static_cast<double>(events_.deltaSeconds);
-  control_->note(result_, cpuMs, intervalMs - others);
+  control_->note(result_, unnoted_->cpuMs, intervalMs - unnoted_->othersMs);
+  unnoted_.reset();
 }
 
 void WalkSession::lookAround(bool wanted) {

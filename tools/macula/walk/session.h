@@ -43,13 +43,18 @@ class WalkSession {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct CpuTimes {
+    double cpuMs = 0.0;
+    double othersMs = 0.0;  ///< of the second method
+  };
 
   // session.cpp: the loop and a frame's way through it
   [[nodiscard]] bool done() const;
   void loadingFrame();
   void frame();
   void prepareEvents(Clock::time_point now);
-  void noteTimes(Clock::time_point begin);
+  void measureTimes(Clock::time_point begin);
+  void noteTimes();
   void steer(float seconds);
   void lookAround(bool wanted);
   void followPointer();
@@ -112,6 +117,7 @@ class WalkSession {
   std::optional<CameraControl> cameraBefore_;
   std::optional<WalkRecorder> recorder_;
   passes::FrameResult result_;
+  std::optional<CpuTimes> unnoted_;  ///< of the last frame, until it is known how long it lasted
   FrameEvents events_;
   std::optional<ui::SettingChange> change_;
   std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded anew for

@@ -110,7 +110,8 @@ void WalkSession::takeStills() {
 
 void WalkSession::writeLinearPicture(const std::string& file) {
   if (!image::hasExr()) failInput("{}: this build writes no EXR; use PNG (F12)", file);
-  image::ImageF picture = drawLinearStill(options_.settings, *machine_, *scene_.gpu, events_);
+  image::ImageF picture = drawLinearStill(options_.settings, *machine_, *scene_.gpu, events_,
+                                          renderer_->inputs().levers);
   startPicture(file, [file, picture = std::move(picture)] { image::writeExr(file, picture); });
 }
 
@@ -126,9 +127,9 @@ void WalkSession::measureErrors(const std::string& against) {
     pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
     renderer_->readDisplay(pair.test.pixels);
   } else {
-    pair.test = drawStill(a, *machine_, *scene_.gpu, events_);
+    pair.test = drawStill(a, *machine_, *scene_.gpu, events_, renderer_->inputs().levers);
   }
-  pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_);
+  pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_, {});
   errors_.start(std::move(pair));
 }
 

@@ -10,14 +10,15 @@ namespace macula::tools {
 
 /// The heat map and the tone curve's output may differ from what the window shows; the methods'
 /// own settings count as given.
+/// @param levers as the window has them, or at rest
 /// @throws InputError where the settings or the memory do not allow it
 [[nodiscard]] image::Image8 drawStill(const passes::RenderSettings& settings,
                                       passes::Machine& machine, const scene::GpuScene& gpu,
-                                      const FrameEvents& view);
+                                      const FrameEvents& view, const frame::Levers& levers);
 
 /// The same with linear values after the tone curve.
 [[nodiscard]] image::ImageF drawLinearStill(const passes::RenderSettings& settings,
                                             passes::Machine& machine, const scene::GpuScene& gpu,
-                                            const FrameEvents& view);
+                                            const FrameEvents& view, const frame::Levers& levers);
 
 }  // namespace macula::tools
