@@ -103,6 +103,10 @@ TEST_F(GlTest, ARestartForgetsThatALeverAsked) {
   Bench fresh(richStill(), settings, kSize, machine());
   (void)fresh.draw();
   EXPECT_EQ(radiance(bench), radiance(fresh));
+  // A lever that stands away from rest asks again.
+  bench.renderer.setLevers({.resize = 2.0F});
+  bench.renderer.restart();
+  EXPECT_EQ(bench.draw().resizeFactor, 2.0);
 }
 
 TEST_F(GlTest, TheLayersLeverLeavesATailItsPlace) {
