@@ -99,13 +99,19 @@ void FrameRenderer::settingsChanged() {
 
 void FrameRenderer::setLevers(const frame::Levers& levers) {
   inputs_.levers = levers;
+}
+
+void FrameRenderer::readyForLevers() {
+  if (mayResize_ || inputs_.levers.resize <= 1.0F) return;
   // The first time, the passes are made ready; nothing that a frame remembers depends on it.
-  const bool asks = levers.resize > 1.0F;
-  if (asks && !mayResize_ && !lod_.wanted) prepared_ = false;
-  mayResize_ = mayResize_ || asks;
+  mayResize_ = true;
+  const bool ready =
+      lod_.wanted == lod_.canResizeShading && lod_.transparency == lod_.canResizeTransparency;
+  if (!ready) prepared_ = false;
 }
 
 bool FrameRenderer::canResize() const {
+  if (inputs_.gpu == nullptr) return true;
   LodPlan plan;
   planLod(plan, settings_.lod, settings_.foveation, inputs_.facts, true);
   return plan.canResizeShading || plan.canResizeTransparency;
@@ -121,6 +127,7 @@ void FrameRenderer::restart() {
   resources_ = {};
   inputs_.frameIndex = 0;
   deepestSeen_ = 0;
+  mayResize_ = false;
   lastCamera_.reset();
   lastViewProjection_ = glm::mat4(1.0F);
   prepared_ = false;
@@ -149,6 +156,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
                                   bool cut) {
   if (unfinished_) restart();
   unfinished_ = true;
+  readyForLevers();
   if (!prepared_) prepare();
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);

@@ -84,10 +84,11 @@ class FrameRenderer {
   void showTransparency(bool shown);
   /// To be called after a change of the settings given to the constructor.
   void settingsChanged();
-  /// For the following frames. Changes no allocation and keeps history; the first call that asks
-  /// for less than full rate makes ready for it.
+  /// For the following frames. Changes no allocation and keeps history; the first frame that asks
+  /// for less than full rate makes ready for it, until restart().
   void setLevers(const frame::Levers& levers);
-  /// Whether setLevers() can have anything computed at 1/r, by the present settings and scene.
+  /// Whether setLevers() can have anything computed at 1/r, by the present settings and scene; true
+  /// while there is none, for nothing is known of it.
   [[nodiscard]] bool canResize() const;
   /// How many times over the shading of the following frames is computed: a load to try a
   /// controller on. The image stays the same. @param times >= 1
@@ -129,6 +130,7 @@ class FrameRenderer {
   [[nodiscard]] std::vector<frame::PassReport> report() const { return list_.report(inputs_); }
 
  private:
+  void readyForLevers();
   void prepare();
   void planMethod(std::uint64_t samples);
   void planRoutedSamples();
@@ -162,7 +164,7 @@ class FrameRenderer {
   int shadingLoad_ = 1;
   glm::mat4 lastViewProjection_{1.0F};
   glm::ivec2 lastTransparencySize_{0};
-  bool mayResize_ = false;  ///< a lever has asked for less than full rate
+  bool mayResize_ = false;  ///< a lever has asked for less than full rate since restart()
   bool prepared_ = false;
   bool historyUsable_ = false;
   bool transparencyShown_ = true;

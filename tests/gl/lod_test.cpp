@@ -279,11 +279,31 @@ TEST_F(GlTest, PartsAtFullRateAreTheSameButForTheirBytes) {
   for (const char* what : {"shadow", "ao", "noise", "shadow,ao,noise"}) {
     Bench bench(richStill(), resized(1.0, what), kSize, machine());
     bench.renderer.setLevers({.resize = 1.0001F});  // parts go through their texture
+    (void)bench.draw();
     bench.renderer.setLevers({.resize = 1.0F});
     (void)bench.draw();
     // Parts are bytes: half a step of 1/255 of the light at the most.
     EXPECT_LT(rootMeanSquare(radiance(plain), radiance(bench)), 2e-3) << what;
   }
+}
+
+TEST_F(GlTest, RestartForgetsThatALeverAsked) {
+  const passes::RenderSettings settings = resized(1.0, "shadow,ao,noise");
+  Bench plain(richStill(), settings, kSize, machine());
+  (void)plain.draw();
+  Bench bench(richStill(), settings, kSize, machine());
+  bench.renderer.setLevers({.resize = 2.0F});
+  (void)bench.draw();
+  EXPECT_TRUE(bench.renderer.lod().wanted);
+  bench.renderer.setLevers({.resize = 1.0F});
+  bench.renderer.restart();
+  (void)bench.draw();
+  EXPECT_FALSE(bench.renderer.lod().wanted);
+  EXPECT_EQ(radiance(plain), radiance(bench)) << "no part went through its texture of bytes";
+  // A lever that stands away from rest asks again.
+  bench.renderer.setLevers({.resize = 2.0F});
+  bench.renderer.restart();
+  EXPECT_EQ(bench.draw().resizeFactor, 2.0);
 }
 
 TEST_F(GlTest, RatesAreWhatTheMirrorSays) {
