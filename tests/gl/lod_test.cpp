@@ -294,6 +294,25 @@ TEST_F(GlTest, PartsAtFullRateAreTheSameButForTheirBytes) {
   }
 }
 
+TEST_F(GlTest, RestartForgetsThatALeverAsked) {
+  const passes::RenderSettings settings = resized(1.0, "shadow,ao,noise");
+  Bench plain(richStill(), settings, kSize, machine());
+  (void)plain.draw();
+  Bench bench(richStill(), settings, kSize, machine());
+  bench.renderer.setLevers({.resize = 2.0F});
+  (void)bench.draw();
+  EXPECT_TRUE(bench.renderer.lod().wanted);
+  bench.renderer.setLevers({.resize = 1.0F});
+  bench.renderer.restart();
+  (void)bench.draw();
+  EXPECT_FALSE(bench.renderer.lod().wanted);
+  EXPECT_EQ(radiance(plain), radiance(bench)) << "no part went through its texture of bytes";
+  // A lever that stands away from rest asks again.
+  bench.renderer.setLevers({.resize = 2.0F});
+  bench.renderer.restart();
+  EXPECT_EQ(bench.draw().resizeFactor, 2.0);
+}
+
 TEST_F(GlTest, RatesAreWhatTheMirrorSays) {
   const glm::ivec2 size{1000, 600};
   for (const glm::vec2 gaze : {glm::vec2(0.5F), glm::vec2(0.0F, 1.0F), glm::vec2(0.83F, 0.2F)}) {
