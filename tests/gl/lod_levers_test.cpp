@@ -92,23 +92,6 @@ TEST_F(GlTest, LeversResizeTransparencyUnderFoveation) {
   EXPECT_TRUE(bench.renderer.plan().resized());
 }
 
-TEST_F(GlTest, ARestartForgetsThatALeverAsked) {
-  const passes::RenderSettings settings = resized(1.0, "shadow,ao,noise");
-  Bench bench(richStill(), settings, kSize, machine());
-  bench.renderer.setLevers({.resize = 2.0F});
-  (void)bench.draw();
-  bench.renderer.setLevers({});
-  bench.renderer.restart();
-  (void)bench.draw();
-  Bench fresh(richStill(), settings, kSize, machine());
-  (void)fresh.draw();
-  EXPECT_EQ(radiance(bench), radiance(fresh));
-  // A lever that stands away from rest asks again.
-  bench.renderer.setLevers({.resize = 2.0F});
-  bench.renderer.restart();
-  EXPECT_EQ(bench.draw().resizeFactor, 2.0);
-}
-
 TEST_F(GlTest, TheLayersLeverLeavesATailItsPlace) {
   passes::RenderSettings settings = linearSettings("kb-fixed", 4.0);
   settings.oit.tail = passes::Tail::Mean;
