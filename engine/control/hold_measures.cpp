@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kLate = 1.02;
 constexpr double kVeryLate = 1.1;
-/// Share of normally distributed values within one standard deviation.
-constexpr double kOneDeviation = 0.6827;
 /// Frames of a running median: the camera moves, and what it sees is no noise.
 constexpr std::size_t kHalfWindow = 15;
 /// Frames whose median says whether the time has settled.
@@ -131,7 +129,7 @@ HoldMeasures measureHold(const HoldRun& run) {
     m.parts.push_back(part);
     addDeviations(frames, deviations);
   }
-  m.fixedSpread = *percentile(deviations, kOneDeviation);
+  m.fixedSpread = *percentile(deviations, kGateShare);
   m.tolerance = kGateTolerance + m.fixedSpread;
   std::size_t fixedWithin = 0;
   for (const double deviation : deviations) fixedWithin += deviation <= m.tolerance ? 1 : 0;

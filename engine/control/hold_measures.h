@@ -51,8 +51,8 @@ inline constexpr double kGateTolerance = 0.05;
 
 struct HoldMeasures {
   std::vector<HoldPart> parts;
-  /// What 68.27 % of the frames with the fixed r stay within, as a share of the running median of
-  /// 31 of them: one standard deviation where times spread normally. What the machine does.
+  /// What kGateShare of the frames with the fixed r stay within, as a share of the running median
+  /// of 31 of them: what the machine does to as many frames as the gate asks for.
   double fixedSpread = 0.0;
   double tolerance = 0.0;        ///< kGateTolerance + fixedSpread
   std::size_t judged = 0;        ///< frames without those that settle
