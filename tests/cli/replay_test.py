@@ -29,8 +29,10 @@ def check_schema(report):
     assert sum(buffers.values()) == report["bytes"]["oit"] + report["bytes"]["overhead"], buffers
     for i, frame in enumerate(report["frames"]):
         assert frame["index"] == i
-        assert set(frame) == {"index", "time_s", "gaze", "fovea", "r", "ms", "fragments", "k", "error",
-                              "flicker", "hazards", "exact", "image_sha256"}, set(frame)
+        assert set(frame) == {"index", "time_s", "gaze", "fovea", "r", "shading", "ms", "fragments",
+                              "k", "error", "flicker", "hazards", "exact",
+                              "image_sha256"}, set(frame)
+        assert set(frame["shading"]) == {"pixels", "shaded", "holes"}
         assert set(frame["gaze"]) == {"x", "y", "raw_x", "raw_y", "state", "age_s"}
         assert set(frame["fovea"]) == {"radius", "saccade", "error_deg"}
         assert set(frame["error"]) == {"rmse", "psnr_db", "max", "flip", "flip_gaze"}
