@@ -1,5 +1,6 @@
 // Where the samples of the resized image lie, and what one of them holds. A cell is what one sample
 // stands for: one texel of the resized image L, or a square of them where shading is foveated.
+#include "lib/brdf.glsl"
 #include "lib/half.glsl"
 #include "lib/raster.glsl"
 #include "shared/lod_totals.h"
@@ -31,7 +32,7 @@ vec3 sampleValue(uvec4 texel) {
 
 /// What light on a surface is multiplied by, roughly: colour of diffuse and metallic reflection, and
 /// the reflectance of dielectrics, so that it is never 0.
-vec3 surfaceColor(vec3 baseColor) { return baseColor + 0.04; }
+vec3 surfaceColor(vec3 baseColor) { return baseColor + kDielectricF0; }
 
 /// A fit below this is none: the sample lies on another surface. At it a Gaussian is 2.4 sigma out.
 const float kLeastFit = 0.05;
