@@ -1,0 +1,42 @@
+// The container: named tensors and a table of texts. Format: the README of Hugging Face's
+// safetensors. What that forbids is refused here: duplicate keys, bytes that no tensor or two
+// tensors hold.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace macula::network {
+
+/// The types of the format that Macula reads.
+enum class ScalarType : std::uint8_t { F16, F32 };
+
+struct Tensor {
+  ScalarType type = ScalarType::F32;
+  std::vector<std::size_t> shape;    ///< outermost first
+  std::span<const std::byte> bytes;  ///< of the file: little endian, packed, as many as shape says
+};
+
+struct Container {
+  std::map<std::string, std::string> metadata;  ///< `__metadata__`
+  std::map<std::string, Tensor> tensors;
+};
+
+/// The mend that most messages end with: nobody repairs such a file by hand.
+inline constexpr const char* kExportAnew = "export the network anew";
+
+/// Text of a file for a message: one line, cut where it is long.
+[[nodiscard]] std::string shown(const std::string& text);
+
+/// @param bytes the whole file; they must outlive the result @param name of the file in messages
+/// @throws InputError naming file, place and mend
+[[nodiscard]] Container parseSafetensors(std::span<const std::byte> bytes, const std::string& name);
+
+/// The values of a tensor, in its order. They may be infinite or NaN.
+[[nodiscard]] std::vector<float> valuesOf(const Tensor& tensor);
+
+}  // namespace macula::network
