@@ -129,9 +129,9 @@ constexpr std::size_t bytesOf(ScalarType type) {
 
 /// Whether a tensor of this shape takes `bytes`; products that would overflow do not.
 bool fills(const std::vector<std::size_t>& shape, ScalarType type, std::size_t bytes) {
+  if (std::find(shape.begin(), shape.end(), 0U) != shape.end()) return bytes == 0;
   std::size_t product = bytesOf(type);
   for (const std::size_t side : shape) {
-    if (side == 0) return bytes == 0;
     if (product > bytes / side) return false;
     product *= side;
   }

@@ -266,6 +266,15 @@ std::vector<Case> layerCases() {
           "OutputsDisagree", [](NetworkFile& f) { f.header["__metadata__"]["outputs"] = "near"; },
           "tensor 'layer1.weight'", "gives 2 outputs, __metadata__ names 1"),
       file(
+          "LayerWithoutInputs",
+          [](NetworkFile& f) {
+            f.header = {{"__metadata__", f.header["__metadata__"]}};
+            f.data.clear();
+            f.addF32("layer0.weight", {2, 0}, {});
+            f.addF32("layer0.bias", {2}, {0, 0});
+          },
+          "tensor 'layer0.weight'", "takes 0 inputs, the number of features is 2"),
+      file(
           "LayerWithoutOutputs",
           [](NetworkFile& f) {
             f.header = {{"__metadata__", f.header["__metadata__"]}};
