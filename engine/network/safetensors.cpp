@@ -38,8 +38,10 @@ std::string_view headerOf(std::span<const std::byte> bytes, const std::string& n
   }
   const std::uint64_t length = littleEndian(bytes.first(kLengthBytes));
   if (length > bytes.size() - kLengthBytes) {
-    failInput("{}: byte 0: the header is said to have {} bytes, {} follow; {}", name, length,
-              bytes.size() - kLengthBytes, kExportAnew);
+    failInput(
+        "{}: byte 0: the header is said to have {} bytes, {} follow; this is no safetensors file "
+        "or it is cut short, {}",
+        name, length, bytes.size() - kLengthBytes, kExportAnew);
   }
   if (length > kMaxHeaderBytes) {
     failInput("{}: byte 0: the header has {} bytes, the limit is {}; shorten its texts", name,

@@ -122,8 +122,8 @@ std::vector<Case> containerCases() {
           "'shape' is no list of whole numbers"),
       file("ShapeNegative", changed("layer0.weight", "shape", {-3, 2}), weight,
            "'shape' is no list of whole numbers"),
-      file("ShapeOverflows",
-           changed("layer0.weight", "shape", {std::uint64_t{1} << 63U, std::uint64_t{1} << 63U}),
+      // 4 bytes times 2^62 + 6 wraps around to 24.
+      file("ShapeOverflows", changed("layer0.weight", "shape", {(std::uint64_t{1} << 62U) + 6, 1}),
            weight, "has 24 bytes, which its shape does not fill"),
       file("ShapeLargerThanRange", changed("layer0.weight", "shape", {3, 3}), weight,
            "has 24 bytes, which its shape does not fill"),

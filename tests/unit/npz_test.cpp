@@ -170,6 +170,19 @@ TEST_F(Npz, HoldsEachArrayAsNpy) {
   EXPECT_EQ(about.values, "{}");
 }
 
+TEST_F(Npz, ValuesAreAlignedBehindAnyHeader) {
+  NpzWriter writer;
+  for (std::size_t sides = 0; sides <= 32; ++sides) {
+    writer.add(fmt::format("sides{}", sides), std::vector<std::size_t>(sides, 1), std::array{1.0F});
+  }
+  writer.write(folder_ / "a.npz");
+  const std::map<std::string, Stored> files = filesOf(folder_ / "a.npz");
+  EXPECT_EQ(files.size(), 33U);
+  for (const auto& [name, file] : files) {
+    EXPECT_EQ(parsed(file.bytes).values, std::string("\0\0\x80\x3F", 4)) << name;
+  }
+}
+
 TEST_F(Npz, IsDeflated) {
   NpzWriter writer;
   writer.add("zeros", {100000}, std::vector<float>(100000, 0.0F));
