@@ -14,11 +14,15 @@
 #include "passes/oit/atomic_keys_pass.h"
 #include "passes/oit/blend_pass.h"
 #include "passes/oit/capture_pass.h"
+#include "passes/oit/count_colors_pass.h"
 #include "passes/oit/count_pass.h"
 #include "passes/oit/cull_depth_pass.h"
 #include "passes/oit/demand_pass.h"
+#include "passes/oit/extent_pass.h"
 #include "passes/oit/histogram_pass.h"
 #include "passes/oit/importance_pass.h"
+#include "passes/oit/network_importance_pass.h"
+#include "passes/oit/network_pass.h"
 #include "passes/oit/occupancy_pass.h"
 #include "passes/oit/one_k_pass.h"
 #include "passes/oit/peel_pass.h"
@@ -58,13 +62,17 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<WeightedResolvePass>(plan));
   passes.push_back(std::make_unique<PeelPass>(plan));
   passes.push_back(std::make_unique<CountPass>(plan));
+  passes.push_back(std::make_unique<CountColorsPass>(plan));
   passes.push_back(std::make_unique<PredictPass>(plan));
   passes.push_back(std::make_unique<ImportancePass>(plan));
+  passes.push_back(std::make_unique<ExtentPass>(plan));
+  passes.push_back(std::make_unique<SlicesPass>(plan));
+  passes.push_back(std::make_unique<NetworkPass>(plan));
+  passes.push_back(std::make_unique<NetworkImportancePass>(plan));
   passes.push_back(std::make_unique<ReservePass>(plan));
   passes.push_back(std::make_unique<HistogramPass>(plan));
   passes.push_back(std::make_unique<OneKPass>(plan));
   passes.push_back(std::make_unique<AllocatePass>(plan));
-  passes.push_back(std::make_unique<SlicesPass>(plan));
   for (int round = 0; round < PRICE_ROUNDS; ++round) {
     passes.push_back(std::make_unique<PricePass>(plan, round));
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -134,6 +135,7 @@ class FrameRenderer {
   void prepare();
   void planMethod(std::uint64_t samples);
   void planRoutedSamples();
+  void planNetwork();
   void sizePool(std::uint32_t slots);
   void allocate();
   void planTransparency();
@@ -150,6 +152,8 @@ class FrameRenderer {
   const RenderSettings& settings_;
   Machine& machine_;
   OitPlan plan_;
+  std::optional<network::Network> network_;  ///< of networkFile_
+  std::filesystem::path networkFile_;
   LodPlan lod_;
   OitStatisticsCounter statistics_;
   frame::FrameInputs inputs_;

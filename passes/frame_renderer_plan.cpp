@@ -90,6 +90,22 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
   }
 }
 
+void FrameRenderer::planNetwork() {
+  plan_.network = nullptr;
+  if (!plan_.usesNetwork()) return;
+  const NetworkModel model = plan_.networkModel();
+  const std::filesystem::path& chosen = settings_.oit.network;
+  const std::filesystem::path file = chosen.empty() ? defaultNetworkFile(model) : chosen;
+  if (!network_ || file != networkFile_ || network_->model != nameOf(model)) {
+    network_ = readNetworkOf(model, file);
+    networkFile_ = file;
+  }
+  plan_.network = &*network_;
+  const glm::ivec2 size = inputs_.displaySize;
+  const int tile = plan_.importance.networkTile;
+  resources_.setFixedSize(Resource::NetworkOutput, (size + tile - 1) / tile);
+}
+
 void FrameRenderer::planTransparency() {
   plan_.size = lod_.transparencySize();
   plan_.historyValid = inputs_.historyValid && plan_.size == lastTransparencySize_;
@@ -124,10 +140,12 @@ void FrameRenderer::prepare() {
   const auto samples = static_cast<std::uint64_t>(inputs_.displaySize.x) *
                        static_cast<std::uint64_t>(inputs_.displaySize.y);
   checkCombination(settings_.oit);
+  checkPredictor(settings_.oit, settings_.importance);
   plan_.importance = settings_.importance;
   plan_.seed = settings_.seed;
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
   planMethod(samples);
+  planNetwork();
   planLod(lod_, settings_.lod, settings_.foveation, inputs_.facts, mayResize_);
   plan_.resizable = lod_.transparency;
   plan_.imageSize = inputs_.displaySize;

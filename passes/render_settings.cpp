@@ -35,7 +35,7 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                 .help = "no sample gets more slots than it has fragments; the rest is handed on"},
                s.fill);
   registry.addChoice({.key = "oit.importance", .help = "what says how many layers a sample needs"},
-                     s.importance, {"published", "transmittance", "error"});
+                     s.importance, {"published", "transmittance", "error", "learned"});
   registry.addChoice({.key = "oit.cull", .help = "early rejection behind the k-th layer"}, s.cull,
                      {"none", "occupancy"});
   registry.add({.key = "oit.cullWords",
@@ -46,6 +46,9 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                             .unit = "bytes",
                             .help = "of a fragment that a sorted k-buffer stores"},
                            s.fragmentBytes, {16, 8});
+  registry.add({.key = "oit.network",
+                .help = "weights of kb-learned or of oit.importance learned; empty: Macula's own"},
+               s.network);
   registry.addChoice(
       {.key = "oit.count", .help = "where the number of a sample's fragments is from"}, s.count,
       {"drawn", "predicted"});
@@ -70,6 +73,10 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
   registry.addNumberChoice(
       {.key = "importance.tile", .unit = "samples a side", .help = "that share their depth slices"},
       s.tile, {1, 2, 4});
+  registry.addNumberChoice({.key = "importance.networkTile",
+                            .unit = "samples a side",
+                            .help = "for which a network is evaluated once"},
+                           s.networkTile, {1, 2, 4});
   registry.add({.key = "importance.gazeWeight",
                 .help = "how far predicted errors count less away from the gaze"},
                s.gazeWeight, {.min = 0.0, .max = 1.0});

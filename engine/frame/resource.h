@@ -56,6 +56,9 @@ enum class Resource : std::uint8_t {
   DepthRange,         ///< nearest and farthest transparent depth of a pixel
   Occupancy,          ///< per pixel: which depth intervals hold a fragment
   CullDepth,          ///< opaque depth, or behind the k-th occupied interval if that is nearer
+  ColorSums,          ///< sum of the premultiplied colours of a pixel's fragments
+  NearestColor,       ///< bits of the nearest fragment's depth, the last eight its colour
+  NetworkOutput,      ///< what it says of each tile: see shaders/lib/network_output.glsl
   OitTotals,          ///< sums over the image: see shaders/shared/oit_totals.h
   LinearColor,        ///< tone-mapped image before encoding, linear
   DisplayColor,       ///< the image that is shown: RGBA8, encoded

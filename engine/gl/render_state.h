@@ -12,7 +12,7 @@ enum class Blend : std::uint8_t {
   Add,            ///< glBlendFunc(ONE, ONE)
   Premultiplied,  ///< glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA)
   Max,            ///< glBlendEquation(MAX)
-  AddThenMax,     ///< target 0 adds, target 1 takes the maximum
+  AddThenMax,     ///< targets 0 and 2 add, targets 1 and 3 take the maximum
 };
 
 struct RenderState {

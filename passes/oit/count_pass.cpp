@@ -9,6 +9,7 @@ using frame::Resource;
 using frame::Use;
 
 bool CountPass::wanted() const {
+  if (plan_.gathersColors()) return false;  // counted with its colours
   return (plan_.method->counts() && !plan_.predictsCounts()) || plan_.culls();
 }
 

@@ -8,7 +8,7 @@ using frame::Resource;
 using frame::Use;
 
 bool ImportancePass::wanted() const {
-  return plan_.mapsImportance();
+  return plan_.mapsImportance() && !plan_.usesNetwork();
 }
 
 void ImportancePass::declareWork(frame::PassDeclaration& d) const {

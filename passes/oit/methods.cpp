@@ -14,6 +14,7 @@ using A = Allocation;
 using I = Insertion;
 
 constexpr std::string_view kRacyId = "kb-racy";
+constexpr std::string_view kLearnedId = "kb-learned";
 
 constexpr std::array kMethods{
     Method{"blend", A::None, I::Blended, false, "unsorted alpha blending: the floor of speed",
@@ -47,12 +48,19 @@ constexpr std::array kMethods{
     Method{"kb-variable", A::ImportanceMap, I::Sorted, false,
            "k-buffer whose k(p) follows importance under a budget",
            "Vasilakis 2017; Tsopouridis 2021, section 3.2.2"},
+    Method{kLearnedId, A::ImportanceMap, I::Sorted, false,
+           "k-buffer whose k(p) follows importance as a network says it, under a budget",
+           "Tsopouridis 2021, chapter 4"},
 };
 
 }  // namespace
 
 bool Method::isRacy() const {
   return id == kRacyId;
+}
+
+bool Method::learnsImportance() const {
+  return id == kLearnedId;
 }
 
 std::span<const Method> methods() {

@@ -60,6 +60,8 @@ struct Method {
   [[nodiscard]] bool fills() const {
     return insertion == Insertion::Appended || insertion == Insertion::Sorted;
   }
+  /// A network says how important pixels are.
+  [[nodiscard]] bool learnsImportance() const;
   /// Inserts without turns on purpose.
   [[nodiscard]] bool isRacy() const;
 };

@@ -8,6 +8,7 @@
 #include "engine/frame/resource.h"
 #include "engine/gl/program.h"
 #include "passes/oit/methods.h"
+#include "passes/oit/network_layout.h"
 #include "passes/oit/settings.h"
 #include "passes/oit/sync.h"
 
@@ -30,7 +31,8 @@ struct OitPlan {
   std::uint32_t layers = 1;                       ///< slots a pixel where they are constant
   std::optional<std::uint64_t> budgetBytes = {};  ///< null for methods without a budget
   ImportanceSettings importance = {};
-  float layerLimit = 1.0F;  ///< N_limit in use
+  const network::Network* network = nullptr;  ///< where one is used
+  float layerLimit = 1.0F;                    ///< N_limit in use
   std::uint32_t seed = 1;
   bool factorMaps = false;          ///< importance factors are shown
   std::uint32_t largestLayers = 0;  ///< largest k(p) of the last frame
@@ -80,13 +82,24 @@ struct OitPlan {
     return method->counts() && method->hasBudget() &&
            (options.fill || options.importance != Predictor::Published || predictsCounts());
   }
-  /// The importance map of Vasilakis 2017 is computed.
+  /// A map of importance is computed: that of Vasilakis 2017, or a network's.
   [[nodiscard]] bool mapsImportance() const {
     return method->allocation == Allocation::ImportanceMap &&
            options.importance == Predictor::Published;
   }
+  /// A network says what pixels need.
+  [[nodiscard]] bool usesNetwork() const {
+    return method->learnsImportance() || options.importance == Predictor::Learned;
+  }
+  /// What a pixel bids by is what the network says.
+  [[nodiscard]] bool learnsBids() const { return options.importance == Predictor::Learned; }
+  [[nodiscard]] NetworkModel networkModel() const {
+    return method->learnsImportance() ? NetworkModel::Thesis : NetworkModel::Learned;
+  }
+  /// The count pass gathers colours, too.
+  [[nodiscard]] bool gathersColors() const { return method->learnsImportance(); }
   /// Whether the front-most normal is kept for the next frame's Fresnel factor.
-  [[nodiscard]] bool keepsFrontNormal() const { return mapsImportance(); }
+  [[nodiscard]] bool keepsFrontNormal() const { return mapsImportance() && !usesNetwork(); }
   /// Depth slices are summed before the capture.
   [[nodiscard]] bool slices() const {
     return method->allocation == Allocation::ImportanceMap &&
@@ -97,7 +110,7 @@ struct OitPlan {
     return predictsCounts() ? frame::Resource::PredictedCount : frame::Resource::FragmentCount;
   }
   /// The nearest and farthest depth of each pixel are found with its count.
-  [[nodiscard]] bool findsRange() const { return slices() || culls(); }
+  [[nodiscard]] bool findsRange() const { return slices() || culls() || gathersColors(); }
   [[nodiscard]] bool culls() const { return options.cull == Cull::Occupancy; }
 };
 

@@ -2,6 +2,7 @@
 
 #include "engine/core/error.h"
 #include "passes/oit/methods.h"
+#include "shared/network.h"
 
 namespace macula::passes {
 namespace {
@@ -29,12 +30,26 @@ void checkImportance(const OitSettings& s, const Method& method) {
   if (s.importance != Predictor::Published && !importance) {
     failInput("oit.importance: {} gives every pixel the same k; use kb-variable", method.id);
   }
+  if (s.importance != Predictor::Published && method.learnsImportance()) {
+    failInput(
+        "oit.importance: {} takes importance from the thesis's network; use kb-variable for others",
+        method.id);
+  }
+  if (s.importance == Predictor::Learned && (!s.fill || s.tail != Tail::Mean)) {
+    failInput(
+        "oit.importance: the network learned what layers are worth before a tail, in a budget that "
+        "is filled; add --oit.fill on --oit.tail mean");
+  }
   if (s.fill && !importance && method.allocation != Allocation::OneK) {
     failInput("oit.fill: {} has no budget that pixels share; use kb-variable or kb-plus",
               method.id);
   }
   if (s.count == CountSource::Predicted && !importance) {
     failInput("oit.count: only kb-variable can go by predicted counts, not {}", method.id);
+  }
+  if (s.count == CountSource::Predicted && method.learnsImportance()) {
+    failInput("oit.count: the network of {} sees what a count pass gathers; use --oit.count drawn",
+              method.id);
   }
   if (s.count == CountSource::Predicted && s.cull == Cull::Occupancy) {
     failInput(
@@ -80,6 +95,13 @@ void checkCombination(const OitSettings& s) {
   if (s.fragmentBytes != 16 && method.insertion != Insertion::Sorted) {
     failInput("oit.fragmentBytes: {} stores 16 bytes a fragment; use a sorted k-buffer for 8",
               method.id);
+  }
+}
+
+void checkPredictor(const OitSettings& s, const ImportanceSettings& importance) {
+  if (s.importance == Predictor::Learned && importance.slices != LEARNED_SLICES) {
+    failInput("importance.slices: the network of oit.importance learned sees {} depth slices",
+              LEARNED_SLICES);
   }
 }
 

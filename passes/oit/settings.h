@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace macula::passes {
@@ -17,6 +18,7 @@ enum class Predictor : std::uint8_t {
   Published,      ///< the importance map of Vasilakis 2017, Eq. 3-6
   Transmittance,  ///< layers until what is left weighs less than a threshold for the whole image
   Error,          ///< the layers that lower the predicted error of the image most
+  Learned,        ///< the layers that a network says for the price of a slot
 };
 
 enum class Cull : std::uint8_t {
@@ -43,6 +45,7 @@ struct OitSettings {
   int cullWords = 32;      ///< d of Vasilakis 2015: 32 d intervals a pixel
   int fragmentBytes = 16;  ///< of a stored fragment of a sorted k-buffer: 16 or 8
   CountSource count = CountSource::Drawn;
+  std::filesystem::path network;  ///< weights; empty: those that come with Macula
 };
 
 /// Settings of the importance map (Vasilakis 2017, Eq. 3-6) and of the predictors.
@@ -54,10 +57,13 @@ struct ImportanceSettings {
   bool noisePerFrame = false;  ///< a new xi every frame
   int slices = 4;              ///< depth slices a predictor sums
   int tile = 1;                ///< samples a side that share their slices
+  int networkTile = 1;         ///< samples a side for which a network is evaluated once
   double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
 };
 
 /// @throws InputError where options are combined that make no sense together, saying why
 void checkCombination(const OitSettings& settings);
+/// The same for what predictors need.
+void checkPredictor(const OitSettings& settings, const ImportanceSettings& importance);
 
 }  // namespace macula::passes

@@ -23,6 +23,7 @@ void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
   gl::Defines defines;
   if (plan_.sync == SyncMode::Ordered) defines.emplace_back("SYNC_ORDERED", "1");
   if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
+  if (plan_.usesNetwork()) defines.emplace_back("LEARNED", "1");
   variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", defines, {}, programs);
   tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
 }

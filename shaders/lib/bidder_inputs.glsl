@@ -8,22 +8,29 @@ layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 #ifdef BID_IMPORTANCE
 layout(r32ui, binding = IMG_2) readonly uniform uimage2D importance;
 #endif
+#if defined(BID_TRANSMITTANCE) || defined(BID_ERROR) || defined(BID_LEARNED)
+#define WEIGHED
+layout(location = 0) uniform vec2 gazeSettings;  // periphery (d of Eq. 4), weight of the gaze
+#endif
 #if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
 layout(binding = TEX_INPUT1) uniform sampler2D opaqueColor;
-layout(location = 0) uniform vec2 gazeSettings;  // periphery (d of Eq. 4), weight of the gaze
 layout(location = 1) uniform vec2 pitch;  // samples of the opaque image a pixel; 1 at full rate
 #endif
 
 /// Slots that the pixel of n fragments takes at these prices (log2).
 Bids bidAt(ivec2 p, uint n, vec4 prices[BID_VECTORS]) {
-#if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
+#ifdef WEIGHED
   float weight = 1.0;
   if (gazeSettings.y > 0.0) {
     float seen = peripheryFactor(vec2(p) + 0.5, ImportanceSettings(0.0, gazeSettings.x, 0.0, 1.0));
     weight = mix(1.0, seen * seen, gazeSettings.y);
   }
+#endif
+#if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
   ivec2 behind = pixelAt(p, pitch, textureSize(opaqueColor, 0));
   return bid(p, n, prices, texelFetch(opaqueColor, behind, 0).rgb, weight);
+#elif defined(BID_LEARNED)
+  return bid(n, prices, outputAt(p), weight);
 #elif defined(BID_IMPORTANCE)
   return bid(n, prices, float(imageLoad(importance, p).r) / float(IMPORTANCE_ONE));
 #else

@@ -4,7 +4,7 @@
 // answers for BID_VECTORS times four of them at once.
 // BID_UNIFORM: 1 / k. BID_IMPORTANCE: I / k, so that k follows importance (D'Hondt's method with the
 // pixel's fragments as a cap). BID_TRANSMITTANCE: what passes the slots before. BID_ERROR: how much
-// the predicted squared error falls.
+// the predicted squared error falls. BID_LEARNED: as a network says.
 // PACKED, TAIL_IN_SLOT: as for the capture.
 #include "lib/oit.glsl"
 #include "lib/importance.glsl"
@@ -137,6 +137,37 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
 #endif
   for (int v = 0; v < BID_VECTORS; ++v) {
     bids.slots[v] = clamp(bids.slots[v], vec4(LEAST_SLOTS), vec4(n));
+  }
+  return bids;
+}
+#elif defined(BID_LEARNED)
+#include "lib/network_output.glsl"
+#include "shared/network.h"
+
+/// Layers an octave beyond the dearest and the cheapest price that the network was asked about.
+const float kDearer = 0.5;
+const float kCheaper = 2.0;
+
+/// Layers at prices of a slot, on straight lines between those that the network names; beyond them
+/// as steep as below.
+vec4 layersAt(vec4 prices, NetworkOutput knots) {
+  vec4 at = (LEARNED_KNOT_HIGHEST - prices) / LEARNED_KNOT_STEP;
+  vec4 layers = knots.low.x + min(at, 0.0) * LEARNED_KNOT_STEP * kDearer;
+  layers += clamp(at, 0.0, 1.0) * (knots.low.y - knots.low.x);
+  layers += clamp(at - 1.0, 0.0, 1.0) * (knots.low.z - knots.low.y);
+  layers += clamp(at - 2.0, 0.0, 1.0) * (knots.low.w - knots.low.z);
+  layers += clamp(at - 3.0, 0.0, 1.0) * (knots.high.x - knots.low.w);
+  layers += clamp(at - 4.0, 0.0, 1.0) * (knots.high.y - knots.high.x);
+  return layers + max(at - 5.0, 0.0) * LEARNED_KNOT_STEP * kCheaper;
+}
+
+/// @param weight of the pixel's error
+Bids bid(uint n, vec4 prices[BID_VECTORS], NetworkOutput knots, float weight) {
+  Bids bids;
+  float least = float(min(n, LEAST_SLOTS));
+  for (int v = 0; v < BID_VECTORS; ++v) {
+    vec4 layers = floor(layersAt(prices[v] - log2(max(weight, 1e-6)), knots));
+    bids.slots[v] = clamp(layers + float(TAIL_SLOTS), vec4(least), vec4(n));
   }
   return bids;
 }

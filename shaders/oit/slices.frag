@@ -1,9 +1,11 @@
 // Sums transparent fragments into the depth slices of their tile.
+// LEARNED: slices that are thinner towards the eye.
 // SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread; else atomics.
 layout(early_fragment_tests) in;
 
 #include "lib/oit.glsl"
 #include "lib/slices.glsl"
+#include "shared/network.h"
 #define APPROXIMATE
 #include "lib/transparent.glsl"
 
@@ -32,7 +34,11 @@ void main() {
   }
   float nearest = viewDistance(range.x);
   float x = (viewDistance(gl_FragCoord.z) - nearest) / max(viewDistance(-range.y) - nearest, 1e-6);
-  uint slice = min(uint(clamp(x, 0.0, 1.0) * float(count)), count - 1u);
+  x = clamp(x, 0.0, 1.0);
+#ifdef LEARNED
+  x = pow(x, LEARNED_SLICE_POWER);
+#endif
+  uint slice = min(uint(x * float(count)), count - 1u);
   uint at = sliceBase(first) + slice;
   uvec4 words = encodeSlice(tau, color);
 #ifdef SYNC_ORDERED

@@ -24,6 +24,8 @@ struct OitTotals {
   uint countMax;        // largest n of this frame
   uint lockFailures;    // fragments given up at the bound of a spin lock
   uint oneLayer;        // k of kb-plus
+  uvec4 extent;         // x: all fragments; y: bits of the nearest reversed depth; z: complement of
+                        // those of the farthest; for networks of importance
   uvec4 levels;         // slots asked for: least for each, at a high price, at a low one, all
   uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
 };

@@ -1,0 +1,25 @@
+// Evaluates the network that says how important pixels are, or how many layers they need.
+#pragma once
+
+#include "passes/oit/oit_pass.h"
+
+namespace macula::passes {
+
+class NetworkPass final : public OitPass {
+ public:
+  using OitPass::OitPass;
+  [[nodiscard]] std::string_view name() const override { return "oit.network"; }
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
+
+ private:
+  [[nodiscard]] bool wanted() const override;
+  void declareWork(frame::PassDeclaration& d) const override;
+  void run(frame::PassContext& context) override;
+
+  GLuint program_ = 0;
+};
+
+/// What the network's shader reads. For the pass, and for those who read its features back.
+void bindNetworkInputs(const frame::PassContext& context, const OitPlan& plan);
+
+}  // namespace macula::passes

@@ -1,0 +1,56 @@
+// What Macula's own network sees of a pixel: its depth slices, what leaving out those behind each of
+// them would cost by their sums alone, and the opaque colour behind.
+#include "lib/slices.glsl"
+#include "lib/raster.glsl"
+#include "shared/network.h"
+
+layout(std430, binding = SSBO_SLICES) readonly buffer Slices { uvec4 slices[]; };
+layout(binding = TEX_INPUT1) uniform sampler2D opaqueColor;
+layout(location = 0) uniform vec2 pitch;  // samples of the opaque image a pixel; 1 at full rate
+
+/// About what a display shows of a radiance: gamma 2 in place of sRGB.
+vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
+
+/// Adds the features of pixel p with n fragments.
+void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
+  ivec2 at = pixelAt(p, pitch, textureSize(opaqueColor, 0));
+  vec3 behind = texelFetch(opaqueColor, at, 0).rgb;
+  uint base = sliceBase(p);
+  Slice s[LEARNED_SLICES];
+  float fragments = 0.0;
+  float tau = 0.0;
+  vec3 tauColor = vec3(0.0);
+  vec3 color = vec3(0.0);  // of all over nothing
+  for (int i = 0; i < LEARNED_SLICES; ++i) {
+    s[i] = decodeSlice(slices[base + uint(i)]);
+    float before = exp2(-tau);
+    fragments += s[i].fragments;
+    tau += s[i].tau;
+    tauColor += s[i].tauColor;
+    color += (before - exp2(-tau)) * s[i].tauColor / max(s[i].tau, 1e-6);
+  }
+  float passes = exp2(-tau);
+  vec3 exact = shown(color + passes * behind);
+  x[0] += log2(n);
+  float keptTau = 0.0;
+  vec3 keptTauColor = vec3(0.0);
+  vec3 kept = vec3(0.0);
+  for (int i = 0; i < LEARNED_SLICES; ++i) {
+    // Squared error of the slices before this one with the mean of the others behind them.
+    float reaches = exp2(-keptTau);
+    vec3 mean = max(tauColor - keptTauColor, 0.0) / max(tau - keptTau, 1e-6);
+    vec3 off = exact - shown(kept + (reaches - passes) * mean + passes * behind);
+    vec3 own = s[i].tauColor / max(s[i].tau, 1e-6);
+    keptTau += s[i].tau;
+    keptTauColor += s[i].tauColor;
+    kept += (reaches - exp2(-keptTau)) * own;
+    vec3 ownShown = shown(own);
+    x[1 + i] += log2(dot(off, off) + LEARNED_LEAST_ERROR);
+    x[5 + i] += exp2(-keptTau);
+    x[9 + i] += s[i].fragments / max(fragments, 1.0);
+    x[13 + i] += log2(s[i].tau / max(s[i].fragments, 1.0) + LEARNED_LEAST_DEPTH);
+    for (int c = 0; c < 3; ++c) x[17 + 3 * i + c] += ownShown[c];
+  }
+  vec3 behindShown = shown(behind);
+  for (int c = 0; c < 3; ++c) x[29 + c] += behindShown[c];
+}

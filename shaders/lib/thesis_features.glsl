@@ -1,0 +1,36 @@
+// The twelve features of Tsopouridis 2021, section 4.2. Depths are distances along the view axis in
+// units of that of the far plane. The thesis adds "the RGB color" of fragments; here it is the
+// premultiplied one that is blended, so that clear layers count for less.
+#include "shared/network.h"
+
+layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
+layout(binding = TEX_INPUT3) uniform sampler2D colorSums;
+layout(binding = TEX_INPUT4) uniform sampler2D nearestColor;
+layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
+
+/// View distance of a reversed depth, as a share of the far plane's.
+float farShare(float depth) {
+  float nearPlane = frame.slices.x;
+  float farPlane = frame.slices.y;
+  return nearPlane / (nearPlane + depth * (farPlane - nearPlane));
+}
+
+/// Adds the features of pixel p with n fragments.
+void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
+  vec2 range = texelFetch(depthRange, p, 0).rg;
+  vec3 blend = texelFetch(colorSums, p, 0).rgb / n;
+  vec3 nearest = vec3(floatBitsToUint(texelFetch(nearestColor, p, 0).rgb) & 0xFFu) / 255.0;
+  float total = float(totals.extent.x);
+  // The share of the pixel times the number of pixels: the same to a network with a normalisation,
+  // and not a number that a half float or a learning rate loses.
+  x[0] += n * frame.size.x * frame.size.y / total;
+  x[1] += float(frame.oit.y) / total;
+  x[2] += farShare(range.x);
+  x[3] += farShare(-range.y);
+  x[4] += farShare(uintBitsToFloat(totals.extent.y));
+  x[5] += farShare(uintBitsToFloat(~totals.extent.z));
+  for (int i = 0; i < 3; ++i) {
+    x[6 + i] += blend[i];
+    x[9 + i] += nearest[i];
+  }
+}

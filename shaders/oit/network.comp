@@ -1,0 +1,80 @@
+// A network of importance, evaluated once a tile from the mean of the features of its covered pixels.
+// MODEL_THESIS, MODEL_LEARNED: which features. FEATURES_OUT: write each pixel's features instead of
+// evaluating. PROBE: evaluate given features, for the check against the program that trained it.
+#include "shared/dispatch.h"
+layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+
+#include "shared/network.h"
+#include "lib/frame.glsl"
+#include "lib/oit.glsl"
+#include "lib/network.glsl"
+#include "lib/network_output.glsl"
+
+layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
+#ifdef MODEL_THESIS
+#include "lib/thesis_features.glsl"
+#else
+#include "lib/learned_features.glsl"
+#endif
+
+#if defined(FEATURES_OUT) || defined(PROBE)
+layout(std430, binding = SSBO_NETWORK_VALUES) buffer Values { float values[]; };
+#else
+layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
+#endif
+
+/// Layers at each price, which never fall from one price to a lower one: sums of softplus.
+NetworkOutput outputFrom(float said[OUTPUTS], float covered) {
+#ifdef MODEL_THESIS
+  return NetworkOutput(vec4(said[0], 0.0, 0.0, 0.0), vec4(0.0, 0.0, 0.0, covered));
+#else
+  float knots[LEARNED_KNOTS];
+  float layers = 0.0;
+  for (int i = 0; i < LEARNED_KNOTS; ++i) {
+    layers += max(said[i], 0.0) + log(1.0 + exp(-abs(said[i])));
+    knots[i] = min(layers, kMaxHalf);
+  }
+  return NetworkOutput(vec4(knots[0], knots[1], knots[2], knots[3]), vec4(knots[4], knots[5], 0.0, covered));
+#endif
+}
+
+void main() {
+  float x[INPUTS];
+  float said[OUTPUTS];
+  for (int i = 0; i < INPUTS; ++i) x[i] = 0.0;
+#ifdef PROBE
+  uint probe = gl_GlobalInvocationID.x;
+  uint at = probe * uint(INPUTS + OUTPUTS);
+  if (gl_GlobalInvocationID.y > 0u || at + uint(INPUTS + OUTPUTS) > uint(values.length())) return;
+  for (int i = 0; i < INPUTS; ++i) x[i] = values[at + uint(i)];
+  evaluateNetwork(x, said);
+  for (int i = 0; i < OUTPUTS; ++i) values[at + uint(INPUTS + i)] = said[i];
+#else
+  ivec2 size = ivec2(frame.size.xy);
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * NETWORK_TILE;
+  if (any(greaterThanEqual(first, size))) return;
+  float covered = 0.0;
+  for (int i = 0; i < NETWORK_TILE * NETWORK_TILE; ++i) {
+    ivec2 p = first + ivec2(i % NETWORK_TILE, i / NETWORK_TILE);
+    if (any(greaterThanEqual(p, size))) continue;
+    float n = texelFetch(fragmentCount, p, 0).r;
+    if (n > 0.0) {
+      addFeatures(p, n, x);
+      covered += 1.0;
+    }
+  }
+#ifdef FEATURES_OUT
+  uint at = uint(first.y * size.x + first.x) * uint(INPUTS);
+  for (int i = 0; i < INPUTS; ++i) values[at + uint(i)] = x[i];
+#else
+  bool any = covered > 0.0;
+  for (int i = 0; i < INPUTS; ++i) x[i] /= max(covered, 1.0);
+  for (int i = 0; i < OUTPUTS; ++i) said[i] = 0.0;
+  // A loop of no or one round: a group of threads without anything to evaluate leaves it at once also
+  // where both sides of a branch are walked through.
+  for (int round = 0; round < int(any); ++round) evaluateNetwork(x, said);
+  uvec4 words = encodeOutput(outputFrom(said, covered / float(NETWORK_TILE * NETWORK_TILE)));
+  imageStore(tileOutput, ivec2(gl_GlobalInvocationID.xy), any ? words : uvec4(0u));
+#endif
+#endif
+}
