@@ -36,7 +36,7 @@ std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
 
 bool isProcedural(const std::string& name) {
   const std::vector<scene::RecipeInfo> recipes = scene::recipes();
-  return name.starts_with("layers-") ||
+  return name.starts_with("layers-") || name.starts_with("medley-") ||
          std::any_of(recipes.begin(), recipes.end(),
                      [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
 }
