@@ -22,6 +22,7 @@ constexpr int kSeeds = 16;        // that are to show all that medleys are made 
 constexpr int kSize = 128;        // pixels a side
 constexpr int kDeepest = 150;     // layers
 constexpr double kMargin = 1.15;  // depths are kept at another size than they are counted at here
+constexpr double kLeastCoverage = 0.18;  // of the frame; less than 20 % for the same reason
 const std::set<std::string> kGroupNames{"puffs",  "glass",  "strands", "leaves",
                                         "sheets", "shells", "confetti"};
 
@@ -83,7 +84,7 @@ TEST(Medley, AFewOfThemCoverWhatTransparentScenesAre) {
     const double coverage = static_cast<double>(counts.covered) / (kSize * kSize);
     EXPECT_GE(counts.maximum, 5) << n;
     EXPECT_LE(counts.maximum, kDeepest * kMargin) << n;
-    EXPECT_GT(coverage, 0.18) << n;
+    EXPECT_GT(coverage, kLeastCoverage) << n;
     shallowest = std::min(shallowest, counts.maximum);
     deepest = std::max(deepest, counts.maximum);
     least = std::min(least, coverage);
@@ -96,6 +97,14 @@ TEST(Medley, AFewOfThemCoverWhatTransparentScenesAre) {
   EXPECT_GE(most, 0.9);
   EXPECT_GT(unlit, 0);
   EXPECT_LT(unlit, kSeeds / 2);
+}
+
+TEST(Medley, SparseOnesAreFilled) {
+  // The groups that are drawn for it at first cover 15 % of the frame.
+  constexpr int kSparse = 90;
+  const Scene scene = makeMedley(kSparse);
+  const plain::DepthCounts counts = plain::countTransparent(scene, scene.cameras.at(0), kSize);
+  EXPECT_GT(static_cast<double>(counts.covered) / (kSize * kSize), kLeastCoverage);
 }
 
 TEST(Medley, AnOrbitGoesAroundTheMiddle) {

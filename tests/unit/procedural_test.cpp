@@ -157,6 +157,19 @@ TEST(DepthCounter, CountsBothSidesAndKeepsTheLimit) {
   EXPECT_TRUE(counter.addWithin(square, place({0, 0, 5}), 1)) << "behind the camera";
 }
 
+TEST(DepthCounter, TellsHowMuchOfTheFrameIsCovered) {
+  Camera camera;
+  camera.target = {0, 0, -1};
+  Primitive square;  // half of the frame's width and height, from its middle
+  addQuad(square, {-1, -1, -2}, {1, -1, -2}, {1, 1, -2}, {-1, 1, -2});
+  DepthCounter counter(camera, 1.0F, 64);
+  EXPECT_EQ(counter.coverage(), 0.0F);
+  EXPECT_TRUE(counter.addWithin(square, glm::mat4(1.0F), 2));
+  EXPECT_EQ(counter.coverage(), 0.25F);
+  EXPECT_TRUE(counter.addWithin(square, glm::mat4(1.0F), 2));
+  EXPECT_EQ(counter.coverage(), 0.25F) << "twice over is covered once";
+}
+
 TEST(DepthCounter, LeavesOutWhatLiesBehindAnOccluder) {
   Camera camera;
   camera.target = {0, 0, -1};

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,7 +35,10 @@ constexpr std::array<void (*)(Group&), 7> kGroups{
     medley::addPuffs,  medley::addGlass,  medley::addStrands, medley::addLeaves,
     medley::addSheets, medley::addShells, medley::addConfetti};
 constexpr std::size_t kFewestGroups = 2;
-constexpr std::uint32_t kMoreGroups = 4;  // 0 to 3 more
+constexpr std::size_t kMostGroups = 5;
+// Of the frame. Where less is covered before the last group, that one is wide, and others follow.
+constexpr float kLeastCoverage = 0.2F;
+constexpr float kFillingLayers = 5.0F;  // that a group needs to close most of its gaps
 
 const glm::vec3 kMiddle{0.0F, 0.9F, 0.0F};  // of the stage, metres
 
@@ -89,8 +93,9 @@ std::array<std::size_t, kGroups.size()> drawOrderOf(int n, Random& random) {
 void addGroups(Stage& stage, int n, int depthLimit, bool lit) {
   Random random(static_cast<std::uint64_t>(n), ChoiceStream);
   const auto order = drawOrderOf(n, random);
-  const std::size_t count = kFewestGroups + random.below(kMoreGroups);
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t count = kFewestGroups + random.below(kMostGroups - kFewestGroups + 1);
+  for (std::size_t i = 0; i < kMostGroups; ++i) {
+    if (i >= count && stage.coverage() >= kLeastCoverage) break;
     Random own(static_cast<std::uint64_t>(n), GroupStream + i);
     const medley::Palette palette(own);
     Group group{.stage = stage, .random = own, .palette = palette};
@@ -103,9 +108,15 @@ void addGroups(Stage& stage, int n, int depthLimit, bool lit) {
     group.looseness = own.unit();
     group.layers =
         static_cast<float>(depthLimit) * (i == 0 ? own.range(0.5F, 0.9F) : own.range(0.15F, 0.6F));
+    if (i + 1 >= count && stage.coverage() < kLeastCoverage) {
+      group.foot *= 0.3F;
+      group.size *= 1.7F;
+      group.layers = std::max(group.layers, kFillingLayers);
+    }
     group.lit = lit && own.below(5) != 0;
     group.random = own;
-    stage.share(i == 0 ? 2 : count - i);  // half of the triangles are for the first
+    // Half of the triangles are for the first.
+    stage.share(i == 0 ? 2 : std::max(count, i + 1) - i);
     kGroups[order[i]](group);
   }
 }

@@ -61,6 +61,8 @@ class Stage {
   [[nodiscard]] int room(std::size_t trianglesEach) const;
   /// Appends a transparent piece if triangles and depth allow. @return whether they did
   bool add(Primitive& group, const Primitive& piece);
+  /// Share of the camera's square frame with something transparent, 0..1.
+  [[nodiscard]] float coverage() const { return counter_.coverage(); }
 
  private:
   SceneBuilder builder_;
