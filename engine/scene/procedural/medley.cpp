@@ -18,7 +18,8 @@ using medley::Group;
 using medley::Stage;
 
 // One stream of random numbers for each thing that is drawn, so that a change of one leaves the
-// others as they are.
+// others as they are. Within a stream, two numbers are never drawn as arguments of one call or as
+// operands of one operator, only in braces: the order would be the compiler's.
 enum Stream : std::uint64_t {
   CameraStream = 81,
   RoomStream,
@@ -75,7 +76,8 @@ void addLights(SceneBuilder& builder, Random random) {
       builder.light(pointLight(from, color, 4.0F + 14.0F * strength, kRange));
     }
   }
-  builder.ambient(glm::mix(lampColor(random), glm::vec3(1.0F), 0.7F) * random.range(0.05F, 0.4F));
+  const glm::vec3 ambient = glm::mix(lampColor(random), glm::vec3(1.0F), 0.7F);
+  builder.ambient(ambient * random.range(0.05F, 0.4F));
 }
 
 /// The groups in the order in which they are made: one in turn, then others at random.
@@ -101,7 +103,7 @@ void addGroups(Stage& stage, int n, int depthLimit, bool lit) {
     Group group{.stage = stage, .random = own, .palette = palette};
     // The first one is large and in the middle, the others stand around and overlap it.
     const float distance = i == 0 ? 0.25F : 1.0F;
-    group.foot = distance * glm::vec3(own.range(-0.9F, 0.9F), 0.0F, own.range(-1.1F, 0.7F));
+    group.foot = distance * glm::vec3{own.range(-0.9F, 0.9F), 0.0F, own.range(-1.1F, 0.7F)};
     const bool wide = own.below(4) == 0;  // it fills the frame
     group.size =
         i == 0 ? (wide ? own.range(1.4F, 1.9F) : own.range(0.85F, 1.2F)) : own.range(0.45F, 1.0F);

@@ -117,7 +117,7 @@ void addLeaves(Group& group) {
     const glm::vec3 ball = group.scatter();
     // A bush's leaves face outwards.
     const glm::vec3 axis = glm::normalize(direction(random) + (falling ? 0.0F : 1.2F) * ball);
-    const glm::vec4 color(group.palette.color(random), alphas.pick(random));
+    const glm::vec4 color{group.palette.color(random), alphas.pick(random)};
     Primitive leaf;
     addFacing(leaf, middle + group.size * extent * ball, axis, half * random.range(0.7F, 1.4F),
               color, random);
@@ -142,7 +142,7 @@ void addSheets(Group& group) {
   for (int i = 0; i < count; ++i) {
     const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);  // front to back
     const glm::vec2 half =
-        group.size * glm::vec2(random.range(0.6F, 1.5F), random.range(0.5F, 1.1F));
+        group.size * glm::vec2{random.range(0.6F, 1.5F), random.range(0.5F, 1.1F)};
     const glm::vec3 shift = random.inBall() * group.size * glm::vec3(0.35F, 0.0F, 0.12F);
     glm::vec3 foot = group.foot + shift;
     float turns = turn;
@@ -153,15 +153,16 @@ void addSheets(Group& group) {
     Primitive flat;
     addQuad(flat, {-half.x, low, 0}, {half.x, low, 0}, {half.x, low + 2.0F * half.y, 0},
             {-half.x, low + 2.0F * half.y, 0});
-    paint(flat, glm::vec4(group.palette.color(random), alphas.pick(random)));
+    paint(flat, glm::vec4{group.palette.color(random), alphas.pick(random)});
     Primitive sheet;
     append(sheet, flat, place(foot, turns));
     group.stage.add(mesh, sheet);
   }
   Material material = group.material("sheets");
   if (random.below(3) == 0) {
+    const std::uint32_t stripes = 2 + random.below(7);
     material.baseColorTexture.image =
-        group.stage.builder().image(stripeImage(2 + random.below(7), random.range(0.1F, 0.6F)));
+        group.stage.builder().image(stripeImage(stripes, random.range(0.1F, 0.6F)));
   }
   group.finish(std::move(mesh), material);
 }
@@ -180,7 +181,7 @@ void addConfetti(Group& group) {
     const std::array<glm::vec3, 3> corners{center + side * random.inBall(),
                                            center + side * random.inBall(),
                                            center + side * random.inBall()};
-    const glm::vec4 color(group.palette.color(random), alphas.pick(random));
+    const glm::vec4 color{group.palette.color(random), alphas.pick(random)};
     const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = glm::length(across);
     if (area < 1e-3F * side * side) continue;  // a line, without a normal to speak of

@@ -149,14 +149,16 @@ void addRoom(Stage& stage, Random& random, bool lit) {
   const std::uint32_t solids = 2 + random.below(4);
   const Palette palette(random);
   for (std::uint32_t i = 0; i < solids; ++i) {
-    Material material =
-        plainMaterial("solid", glm::vec4(palette.color(random), 1.0F), random.range(0.15F, 0.9F),
-                      random.below(4) == 0 ? 1.0F : 0.0F);
+    const glm::vec4 color(palette.color(random), 1.0F);
+    const float roughness = random.range(0.15F, 0.9F);
+    const float metallic = random.below(4) == 0 ? 1.0F : 0.0F;
+    Material material = plainMaterial("solid", color, roughness, metallic);
     material.unlit = !lit;
     const glm::vec3 at{random.range(-1.5F, 1.5F), 0.0F, random.range(-1.5F, 1.2F)};
     const float scale = at.z > 0.2F ? 0.55F : 1.0F;  // in front, large ones would hide the rest
     Primitive mesh;
-    append(mesh, solidOf(random), place(at, random.unit(), scale));
+    const float turns = random.unit();
+    append(mesh, solidOf(random), place(at, turns, scale));
     stage.addOpaque(std::move(mesh), stage.builder().material(material));
   }
 }

@@ -207,7 +207,7 @@ void addShells(Group& group) {
     transform[3] = glm::vec4(center, 1.0F);
     Primitive shell;
     append(shell, unit, transform);
-    paint(shell, glm::vec4(group.palette.color(random), alphas.pick(random)));
+    paint(shell, glm::vec4{group.palette.color(random), alphas.pick(random)});
     group.stage.add(mesh, shell);
     center += wander * gap * squeeze * random.inBall();
   }
