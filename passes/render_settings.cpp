@@ -125,6 +125,9 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
       {.key = "scene.lighting",
        .help = "transparent surfaces as the scene says, unlit, or lit by four lights"},
       s.lighting, {"own", "unlit", "four"});
+  registry.add({.key = "scene.opacity",
+                .help = "below 1 every surface is transparent, its alpha multiplied by this"},
+               s.opacity, {.min = 0.0, .minExclusive = true, .max = 1.0});
   registry.addChoice({.key = "scene.order",
                       .help = "in which transparent triangles are drawn, from the first camera"},
                      s.order, {"file", "near-first", "far-first", "random"});

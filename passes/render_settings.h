@@ -27,6 +27,7 @@ struct RenderSettings {
   HeatmapPass::Settings heatmap;
   std::filesystem::path environment;  ///< equirectangular panorama; empty: none
   glm::vec3 background{0.0F};         ///< linear RGB
+  float opacity = 1.0F;               ///< above 0, up to 1; see scene::overrideOpacity
   scene::LightingOverride lighting = scene::LightingOverride::Own;
   scene::TransparentOrder order = scene::TransparentOrder::File;
   std::uint32_t seed = 1;  ///< of noise and procedural scenes

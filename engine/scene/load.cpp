@@ -15,6 +15,7 @@ namespace macula::scene {
 namespace {
 
 constexpr std::string_view kLayersPrefix = "layers-";
+constexpr std::string_view kMedleyPrefix = "medley-";
 
 struct Recipe {
   const char* name;
@@ -36,15 +37,17 @@ constexpr Recipe kRecipes[] = {
     {"chess", "a game of chess with ambient occlusion of 96 samples", makeChess},
 };
 
-/// The N of "layers-N".
-int layerCount(const std::string& name) {
-  const std::string_view digits = std::string_view(name).substr(kLayersPrefix.size());
+/// The N of a scene's name, "layers-64".
+/// @param what N stands for @param example what to write instead
+int numberIn(const std::string& name, std::string_view prefix, const char* what, int least,
+             int most, const char* example) {
+  const std::string_view digits = std::string_view(name).substr(prefix.size());
   int n = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size() ||
-      error == std::errc::result_out_of_range || n < 1 || n > kMaxLayers) {
-    failInput("{}: '{}' is no number of layers; choose 1 to {}, for example layers-64", name,
-              digits, kMaxLayers);
+  if (digits.starts_with('-') || error != std::errc{} || end != digits.data() + digits.size() ||
+      n < least || n > most) {
+    failInput("{}: '{}' is no {}; choose {} to {}, for example {}", name, digits, what, least, most,
+              example);
   }
   return n;
 }
@@ -64,6 +67,10 @@ std::vector<RecipeInfo> recipes() {
   list.push_back(
       {"layers-N",
        fmt::format("N unlit quads of equal weight that fill the view, N = 1 to {}", kMaxLayers)});
+  list.push_back(
+      {"medley-N", fmt::format("transparent things drawn at random, another still life for each "
+                               "N = 0 to {}",
+                               kMaxMedley)});
   return list;
 }
 
@@ -78,7 +85,15 @@ Scene loadScene(const std::string& nameOrPath, std::uint64_t seed) {
   }
   const std::filesystem::path path(nameOrPath);
   if (isSceneFile(path)) return loadGltf(path);
-  if (nameOrPath.starts_with(kLayersPrefix)) return makeLayers(layerCount(nameOrPath), seed);
+  if (nameOrPath.starts_with(kLayersPrefix)) {
+    const int n =
+        numberIn(nameOrPath, kLayersPrefix, "number of layers", 1, kMaxLayers, "layers-64");
+    return makeLayers(n, seed);
+  }
+  if (nameOrPath.starts_with(kMedleyPrefix)) {
+    return makeMedley(
+        numberIn(nameOrPath, kMedleyPrefix, "number of a medley", 0, kMaxMedley, "medley-7"));
+  }
 
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {

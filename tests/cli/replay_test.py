@@ -91,6 +91,18 @@ def check_identical_is_null(folder):
     assert error["rmse"] == 0 and error["psnr_db"] is None and error["max"] == 0, error
 
 
+def check_opacity(folder):
+    # An opaque scene has fragments once it is looked at as transparent.
+    options = ("marble", "--method", "ab-sbuffer", "--frames", "1", "--size", "32x24")
+    solid, _ = replay(folder, *options)
+    assert solid["frames"][0]["fragments"]["generated"] in (0, None), solid["frames"][0]
+    clear, _ = replay(folder, *options, "--scene.opacity", "0.5")
+    check_schema(clear)
+    generated = clear["frames"][0]["fragments"]["generated"]
+    assert generated > 32 * 24 / 4, f"{generated} fragments: more than a quarter of the frame"
+    assert clear["frames"][0]["image_sha256"] != solid["frames"][0]["image_sha256"]
+
+
 def check_images(folder):
     report, out = replay(folder, "layers-4", "--frames", "2", "--size", "32x24", "--reference",
                          "--images", "png", "--k-ave", "2")
@@ -167,6 +179,7 @@ def main():
         check_budget(folder)
         check_hazards(folder)
         check_identical_is_null(folder)
+        check_opacity(folder)
         check_images(folder)
         check_hdr(folder)
         demo = os.path.join(SOURCE, "assets", "gallery_gaze.csv")

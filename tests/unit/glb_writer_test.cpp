@@ -288,8 +288,8 @@ TEST_P(GlbRecipe, LoadsBackWhatItWrote) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GlbRecipe,
-                         testing::Values("layers-300", "smoke", "bottles", "gallery", "car",
-                                         "marble", "chess"),
+                         testing::Values("layers-300", "medley-0", "smoke", "bottles", "gallery",
+                                         "car", "marble", "chess"),
                          [](const auto& tested) {
                            const std::string name = tested.param;
                            return name.substr(0, name.find('-'));

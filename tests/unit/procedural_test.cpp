@@ -157,6 +157,19 @@ TEST(DepthCounter, CountsBothSidesAndKeepsTheLimit) {
   EXPECT_TRUE(counter.addWithin(square, place({0, 0, 5}), 1)) << "behind the camera";
 }
 
+TEST(DepthCounter, TellsHowMuchOfTheFrameIsCovered) {
+  Camera camera;
+  camera.target = {0, 0, -1};
+  Primitive square;  // half of the frame's width and height, from its middle
+  addQuad(square, {-1, -1, -2}, {1, -1, -2}, {1, 1, -2}, {-1, 1, -2});
+  DepthCounter counter(camera, 1.0F, 64);
+  EXPECT_EQ(counter.coverage(), 0.0F);
+  EXPECT_TRUE(counter.addWithin(square, glm::mat4(1.0F), 2));
+  EXPECT_EQ(counter.coverage(), 0.25F);
+  EXPECT_TRUE(counter.addWithin(square, glm::mat4(1.0F), 2));
+  EXPECT_EQ(counter.coverage(), 0.25F) << "twice over is covered once";
+}
+
 TEST(DepthCounter, LeavesOutWhatLiesBehindAnOccluder) {
   Camera camera;
   camera.target = {0, 0, -1};
@@ -309,8 +322,9 @@ TEST_P(Recipe, IsSoundAndRepeatable) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Recipe,
-                         testing::Values("layers-5", "smoke", "bottles", "hair", "greenhouse",
-                                         "hairball", "gallery", "car", "marble", "chess"),
+                         testing::Values("layers-5", "medley-3", "smoke", "bottles", "hair",
+                                         "greenhouse", "hairball", "gallery", "car", "marble",
+                                         "chess"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -392,7 +406,8 @@ TEST(LoadScene, ExplainsWrongNames) {
 TEST(LoadScene, ListsItsRecipes) {
   for (const RecipeInfo& recipe : recipes()) {
     EXPECT_FALSE(recipe.description.empty());
-    const std::string name = recipe.name == "layers-N" ? "layers-2" : recipe.name;
+    std::string name = recipe.name;
+    if (name.ends_with("-N")) name.back() = '2';
     EXPECT_FALSE(loadScene(name, 0).instances.empty()) << name;
   }
 }

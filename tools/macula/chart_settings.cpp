@@ -22,8 +22,8 @@ bool decidesLoading(const std::string& key) {
 
 void checkScene(const std::string& scene, const experiment::Study& study) {
   if (isSceneFile(scene)) return;
-  constexpr std::string_view kLayers = "layers-";
-  bool known = scene.starts_with(kLayers);
+  // Whether the number is one, loading tells.
+  bool known = scene.starts_with("layers-") || scene.starts_with("medley-");
   for (const scene::RecipeInfo& recipe : scene::recipes()) known = known || recipe.name == scene;
   if (!known) {
     failInput("{}: '{}' is neither a .gltf or .glb file nor a scene of 'macula scene list'",

@@ -11,6 +11,7 @@
 #include "engine/image/image.h"
 #include "engine/recording/reader.h"
 #include "engine/scene/load.h"
+#include "engine/scene/opacity_override.h"
 
 namespace macula::tools {
 
@@ -44,6 +45,7 @@ glm::vec2 parsePlace(const std::string& option, const std::string& text) {
 }
 
 void prepareForRendering(scene::Scene& scene, const passes::RenderSettings& settings) {
+  scene::overrideOpacity(scene, settings.opacity);
   scene::overrideLighting(scene, settings.lighting);
   scene::addDefaultLights(scene);
   scene::orderTransparent(scene, settings.order, settings.seed);

@@ -29,8 +29,8 @@ class Difference : public std::runtime_error {
 /// "0.3,0.7", both from 0 to 1. @throws InputError naming the option, for example "--probe"
 [[nodiscard]] glm::vec2 parsePlace(const std::string& option, const std::string& text);
 
-/// Makes a scene as the renderer wants it: lit as scene.lighting says, with default lights where
-/// it has none, drawn as scene.order says.
+/// Makes a scene as the renderer wants it: as transparent as scene.opacity says, lit as
+/// scene.lighting says, with default lights where it has none, drawn as scene.order says.
 void prepareForRendering(scene::Scene& scene, const passes::RenderSettings& settings);
 
 /// A scene after prepareForRendering().

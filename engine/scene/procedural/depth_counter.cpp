@@ -84,6 +84,11 @@ bool DepthCounter::addWithin(const Primitive& mesh, const glm::mat4& transform, 
   return fits;
 }
 
+float DepthCounter::coverage() const {
+  const auto empty = std::count(counts_.begin(), counts_.end(), std::uint16_t{0});
+  return 1.0F - static_cast<float>(empty) / static_cast<float>(counts_.size());
+}
+
 template <typename Visit>
 void DepthCounter::draw(const Primitive& mesh, const Visit& visit) const {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

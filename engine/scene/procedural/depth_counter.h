@@ -29,6 +29,9 @@ class DepthCounter {
   /// @return whether it was added
   bool addWithin(const Primitive& mesh, const glm::mat4& transform, int limit);
 
+  /// Share of the frame, 0..1, where at least one fragment was counted.
+  [[nodiscard]] float coverage() const;
+
  private:
   struct Corner {
     std::int64_t x = 0;  ///< in 1/256 pixel

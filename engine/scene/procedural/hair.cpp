@@ -78,7 +78,7 @@ class Barber {
             {curves[k].at(t) + across * swing, side, thickness * (1.0F - 0.7F * along * along)});
       }
     }
-    if (!carrySides()) return;
+    if (!carrySides(points_)) return;
     Primitive strand;
     addRibbon(strand, points_, glm::vec4(color, alpha));
     if (counter_.addWithin(strand, glm::mat4(1.0F), kDepthLimit)) {
@@ -89,21 +89,6 @@ class Barber {
   [[nodiscard]] Primitive takeHair() { return std::move(hair_); }
 
  private:
-  /// Carries the side of the first point along the path, turning it no more than the path turns.
-  /// @return whether the path turns nowhere by more than a ribbon can follow
-  [[nodiscard]] bool carrySides() {
-    constexpr float kLeastCosine = 0.5F;  // between successive pieces: 60 degrees
-    glm::vec3 before(0.0F);
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      const glm::vec3 piece = glm::normalize(points_[i].center - points_[i - 1].center);
-      if (i > 1 && glm::dot(before, piece) < kLeastCosine) return false;
-      const glm::vec3& side = points_[i - 1].side;
-      points_[i].side = glm::normalize(side - piece * glm::dot(side, piece));
-      before = piece;
-    }
-    return true;
-  }
-
   DepthCounter counter_;
   Random random_;
   Primitive hair_;

@@ -31,6 +31,17 @@ inline constexpr int kMaxLayers = 4096;
 /// opaque. Linear RGB.
 [[nodiscard]] glm::vec3 layersComposite(int n);
 
+/// The largest N of `medley-N`.
+inline constexpr int kMaxMedley = 9999;
+
+/// A still life of transparent things, another one for each n: two to five groups out of puffs,
+/// glass, strands, leaves, sheets, shells and confetti, between opaque things, with colours, alphas,
+/// lights and depth drawn at random. For training and trying what is to work on any scene, so that
+/// the scenes below stay unseen. At most 60,000 triangles; between about 6 and 150 surfaces behind
+/// one another from its camera.
+/// @param n 0 .. kMaxMedley; the only seed
+[[nodiscard]] Scene makeMedley(int n);
+
 /// A plume of unlit smoke over a brazier on an opaque floor. From its camera at 1024 x 1024 at most
 /// 16 puffs lie behind one another.
 [[nodiscard]] Scene makeSmoke(std::uint64_t seed);

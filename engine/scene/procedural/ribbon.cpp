@@ -36,4 +36,17 @@ void addRibbon(Primitive& mesh, std::span<const RibbonPoint> points, const glm::
   }
 }
 
+bool carrySides(std::span<RibbonPoint> points) {
+  constexpr float kLeastCosine = 0.5F;  // between successive pieces: 60 degrees
+  glm::vec3 before(0.0F);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::vec3 piece = glm::normalize(points[i].center - points[i - 1].center);
+    if (i > 1 && glm::dot(before, piece) < kLeastCosine) return false;
+    const glm::vec3& side = points[i - 1].side;
+    points[i].side = glm::normalize(side - piece * glm::dot(side, piece));
+    before = piece;
+  }
+  return true;
+}
+
 }  // namespace macula::scene

@@ -23,4 +23,8 @@ struct RibbonPoint {
 /// @param color linear RGB and alpha of every vertex
 void addRibbon(Primitive& mesh, std::span<const RibbonPoint> points, const glm::vec4& color);
 
+/// Carries the side of the first point along the path, turning it no more than the path turns.
+/// @return whether the path turns nowhere by more than a ribbon can follow
+[[nodiscard]] bool carrySides(std::span<RibbonPoint> points);
+
 }  // namespace macula::scene

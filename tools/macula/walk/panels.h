@@ -53,6 +53,7 @@ struct TabState {
   std::string pathField;
   std::string pictureField;
   int layers = 64;
+  int medley = 0;
   std::filesystem::path folder = ".";
   std::vector<std::filesystem::path> files;
 };

@@ -30,6 +30,22 @@ bool pathField(const char* id, const char* hint, const char* button, std::string
   return entered && !text.empty();
 }
 
+/// A family of scenes: a field for the number of one, and a button.
+void drawNumbered(const char* prefix, int least, int most, int& number, Requests& requests) {
+  constexpr float kFieldEms = 6.0F;
+  ImGui::PushID(prefix);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(prefix);
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::SetNextItemWidth(kFieldEms * ImGui::GetFontSize());
+  ImGui::DragInt("##number", &number, 1.0F, least, most, "%d", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SameLine();
+  if (ImGui::Button("show")) {
+    requests.push_back({Action::LoadScene, fmt::format("{}{}", prefix, number)});
+  }
+  ImGui::PopID();
+}
+
 void drawRecipes(const PanelInput& input, TabState& state, Requests& requests) {
   static const std::vector<scene::RecipeInfo> recipes = scene::recipes();
   for (const scene::RecipeInfo& recipe : recipes) {
@@ -40,17 +56,9 @@ void drawRecipes(const PanelInput& input, TabState& state, Requests& requests) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", recipe.description.c_str());
   }
   constexpr int kMostLayers = 4096;
-  constexpr float kFieldEms = 6.0F;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("layers-");
-  ImGui::SameLine(0.0F, 0.0F);
-  ImGui::SetNextItemWidth(kFieldEms * ImGui::GetFontSize());
-  ImGui::DragInt("##layers", &state.layers, 1.0F, 1, kMostLayers, "%d",
-                 ImGuiSliderFlags_AlwaysClamp);
-  ImGui::SameLine();
-  if (ImGui::Button("show")) {
-    requests.push_back({Action::LoadScene, fmt::format("layers-{}", state.layers)});
-  }
+  constexpr int kMostMedley = 9999;
+  drawNumbered("layers-", 1, kMostLayers, state.layers, requests);
+  drawNumbered("medley-", 0, kMostMedley, state.medley, requests);
 }
 
 /// The states of the last frames as a strip of colours, the newest at the right.

@@ -19,8 +19,8 @@ namespace macula::tools {
 namespace {
 
 /// Settings that go into the scene while it is loaded.
-constexpr std::array<std::string_view, 4> kSceneSettings{"scene.environment", "scene.lighting",
-                                                         "scene.order", "frame.seed"};
+constexpr std::array<std::string_view, 5> kSceneSettings{
+    "scene.environment", "scene.lighting", "scene.opacity", "scene.order", "frame.seed"};
 
 /// The name after the present one, or the one that is asked for.
 std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
@@ -36,7 +36,7 @@ std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
 
 bool isProcedural(const std::string& name) {
   const std::vector<scene::RecipeInfo> recipes = scene::recipes();
-  return name.starts_with("layers-") ||
+  return name.starts_with("layers-") || name.starts_with("medley-") ||
          std::any_of(recipes.begin(), recipes.end(),
                      [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
 }
