@@ -130,6 +130,9 @@ class FrameRenderer {
   [[nodiscard]] bool isRacy() const { return plan_.sorted() && plan_.sync == SyncMode::None; }
   [[nodiscard]] std::vector<frame::PassReport> report() const { return list_.report(inputs_); }
 
+  /// What the last frame left on the GPU, for those who read more of it back.
+  [[nodiscard]] frame::PassContext passContext();
+
  private:
   void readyForLevers();
   void prepare();
@@ -141,7 +144,6 @@ class FrameRenderer {
   void planTransparency();
   void uploadConstants();
   [[nodiscard]] shader::FrameConstants constantsFor(glm::ivec2 samples) const;
-  [[nodiscard]] frame::PassContext passContext();
   [[nodiscard]] shader::OitTotals runOnce();
   [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);
   void describeLod(shader::FrameConstants& constants) const;

@@ -8,6 +8,7 @@ namespace macula::tools {
 void addChart(CLI::App& root);
 void addCompare(CLI::App& root);
 void addDevices(CLI::App& root);
+void addFeatures(CLI::App& root);
 void addGaze(CLI::App& root);
 /// @param gaze what addGaze() added
 void addGazeStudy(CLI::App& gaze);

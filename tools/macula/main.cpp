@@ -1,4 +1,4 @@
-// macula: walk, replay, chart, compare, gaze, scene, devices.
+// macula: walk, replay, chart, compare, features, gaze, hold, scene, devices.
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     macula::tools::addReplay(root);
     macula::tools::addChart(root);
     macula::tools::addCompare(root);
+    macula::tools::addFeatures(root);
     macula::tools::addGaze(root);
     macula::tools::addGazeStudy(*root.get_subcommand("gaze"));
     macula::tools::addHold(root);

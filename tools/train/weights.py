@@ -17,36 +17,42 @@ def write_network(path, model, features, outputs, mean, scale, layers, output_ac
     """Writes a network whole or not at all.
 
     layers: (weight [outputs, inputs], bias [outputs]) of each dense layer, in order.
-    half: weights as 16-bit floats; what they round to is what is returned.
+    half: weights as 16-bit floats.
     """
-    kind, name = (np.float16, "F16") if half else (np.float32, "F32")
-    header = {
-        "__metadata__": {
-            "format": "macula-network",
-            "version": "1",
-            "model": model,
-            "features": ",".join(features),
-            "outputs": ",".join(outputs),
-            "mean": " ".join(map(_number, mean)),
-            "scale": " ".join(map(_number, scale)),
-            "activation": "relu",
-            "output_activation": output_activation,
-            "command": command,
-            "data": data_hash,
-        }
-    }
+    kind = np.float16 if half else np.float32
+    tensors = {}
+    for i, (weight, bias) in enumerate(layers):
+        tensors[f"layer{i}.weight"] = np.asarray(weight, dtype=kind)
+        tensors[f"layer{i}.bias"] = np.asarray(bias, dtype=kind)
+    write_tensors(path, tensors, {
+        "format": "macula-network",
+        "version": "1",
+        "model": model,
+        "features": ",".join(features),
+        "outputs": ",".join(outputs),
+        "mean": " ".join(map(_number, mean)),
+        "scale": " ".join(map(_number, scale)),
+        "activation": "relu",
+        "output_activation": output_activation,
+        "command": command,
+        "data": data_hash,
+    })
+
+
+def write_tensors(path, tensors, metadata):
+    """Writes arrays of 16- or 32-bit floats as safetensors, whole or not at all."""
+    header = {"__metadata__": metadata}
     blocks = []
     at = 0
-    for i, (weight, bias) in enumerate(layers):
-        for part, values in (("weight", weight), ("bias", bias)):
-            block = np.ascontiguousarray(values, dtype=kind)
-            header[f"layer{i}.{part}"] = {
-                "dtype": name,
-                "shape": list(block.shape),
-                "data_offsets": [at, at + block.nbytes],
-            }
-            at += block.nbytes
-            blocks.append(block.astype("<" + block.dtype.str[1:]).tobytes())
+    for name, values in tensors.items():
+        block = np.ascontiguousarray(values)
+        header[name] = {
+            "dtype": {"float16": "F16", "float32": "F32"}[block.dtype.name],
+            "shape": list(block.shape),
+            "data_offsets": [at, at + block.nbytes],
+        }
+        at += block.nbytes
+        blocks.append(block.astype(block.dtype.newbyteorder("<")).tobytes())
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 8)
     temporary = f"{path}.part"

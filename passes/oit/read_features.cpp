@@ -1,0 +1,81 @@
+#include "passes/oit/read_features.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/gl/gl.h"
+#include "passes/oit/network_pass.h"
+#include "passes/oit/oit_pass.h"
+#include "shared/bindings.h"
+
+namespace macula::passes {
+namespace {
+
+GLuint programOf(const network::Network& network, NetworkModel model, const char* variant,
+                 gl::ProgramCache& programs) {
+  gl::Defines defines = networkDefines(network, model, 1);
+  defines.emplace_back(variant, "1");
+  return programs.get({{"oit/network.comp"}, defines, {}});
+}
+
+std::vector<float> download(const gl::Buffer& buffer) {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<float> values(buffer.bytes() / sizeof(float));
+  buffer.download(values.data(), buffer.bytes());
+  return values;
+}
+
+}  // namespace
+
+std::vector<float> readFeatures(FrameRenderer& renderer, gl::ProgramCache& programs) {
+  const OitPlan& plan = renderer.plan();
+  if (plan.network == nullptr || plan.resized()) {
+    throw std::invalid_argument("features are read from a frame that a network saw, at full rate");
+  }
+  const auto width = static_cast<std::size_t>(plan.size.x);
+  const auto height = static_cast<std::size_t>(plan.size.y);
+  const std::size_t row = width * plan.network->features.size();
+  const gl::Buffer values("features", row * height * sizeof(float));
+  const frame::PassContext context = renderer.passContext();
+  context.bindConstants(frame::Raster::Image);
+  glUseProgram(programOf(*plan.network, plan.networkModel(), "FEATURES_OUT", programs));
+  bindNetworkInputs(context, plan);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_NETWORK_VALUES, values.id());
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  context.dispatch(plan.size, kFullScreenGroup);
+  std::vector<float> features = download(values);
+  // GL counts rows from the bottom.
+  for (std::size_t y = 0; y < height / 2; ++y) {
+    const auto at = [&](std::size_t r) {
+      return features.begin() + static_cast<std::ptrdiff_t>(r * row);
+    };
+    std::swap_ranges(at(y), at(y + 1), at(height - 1 - y));
+  }
+  return features;
+}
+
+std::vector<float> evaluateOnGpu(const network::Network& network, NetworkModel model,
+                                 const std::vector<float>& features, gl::ProgramCache& programs) {
+  const std::size_t inputs = network.features.size();
+  const std::size_t outputs = network.outputs.size();
+  const std::size_t count = features.size() / inputs;
+  std::vector<float> values(count * (inputs + outputs));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy_n(features.begin() + static_cast<std::ptrdiff_t>(i * inputs), inputs,
+                values.begin() + static_cast<std::ptrdiff_t>(i * (inputs + outputs)));
+  }
+  const gl::Buffer buffer("probes", values.size() * sizeof(float), values.data());
+  glUseProgram(programOf(network, model, "PROBE", programs));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_NETWORK_VALUES, buffer.id());
+  glDispatchCompute(static_cast<GLuint>((count + FULLSCREEN_GROUP - 1) / FULLSCREEN_GROUP), 1, 1);
+  values = download(buffer);
+  std::vector<float> said;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first =
+        values.begin() + static_cast<std::ptrdiff_t>(i * (inputs + outputs) + inputs);
+    said.insert(said.end(), first, first + static_cast<std::ptrdiff_t>(outputs));
+  }
+  return said;
+}
+
+}  // namespace macula::passes
