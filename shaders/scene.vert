@@ -1,9 +1,13 @@
 // The vertex stage of every pass that draws the scene. One invariant position serves them all, so
 // that a fragment has the same depth wherever it is drawn.
 // SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
-// beside the position alone.
+// beside the position alone. LIT with VERTEX_LIGHT: the light that reaches the vertex on both of its
+// sides, in place of what light at a fragment needs; for predictions.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
+#if defined(LIT) && defined(VERTEX_LIGHT)
+#include "lib/lighting.glsl"
+#endif
 
 layout(location = ATTR_POSITION) in vec3 position;
 layout(location = ATTR_INSTANCE) in uint instanceNumber;
@@ -30,9 +34,14 @@ layout(location = 2) flat out uvec3 outIds;  // material, id of the first triang
 layout(location = 0) out vec4 outUv;  // xy: first set, zw: second
 layout(location = 1) out vec4 outColor;
 #ifndef UV_ONLY
+#if defined(LIT) && defined(VERTEX_LIGHT)
+layout(location = 3) out vec3 outFrontLight;
+layout(location = 4) out vec3 outBackLight;
+#else
 layout(location = 3) out vec3 outPosition;
 layout(location = 4) out vec3 outNormal;
 layout(location = 5) out vec4 outTangent;
+#endif
 layout(location = 6) flat out float outMirror;
 #endif
 #endif
@@ -54,11 +63,18 @@ void main() {
   outUv = vec4(uv0, uv1);
   outColor = color;
 #ifndef UV_ONLY
+  vec3 turned = vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
+                     dot(instance.normalRow2.xyz, normal));
+#if defined(LIT) && defined(VERTEX_LIGHT)
+  vec3 n = dot(turned, turned) > 0.0 ? normalize(turned) : vec3(0.0, 1.0, 0.0);
+  outFrontLight = ambientRadiance(n) + irradianceAt(world, n) / kPi;
+  outBackLight = ambientRadiance(-n) + irradianceAt(world, -n) / kPi;
+#else
   outPosition = world;
-  outNormal = vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
-                   dot(instance.normalRow2.xyz, normal));
+  outNormal = turned;
   outTangent = vec4(dot(instance.modelRow0.xyz, tangent.xyz), dot(instance.modelRow1.xyz, tangent.xyz),
                     dot(instance.modelRow2.xyz, tangent.xyz), tangent.w);
+#endif
   outMirror = instance.normalRow0.w;
 #endif
 #endif

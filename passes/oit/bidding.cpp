@@ -10,9 +10,8 @@ using frame::Use;
 void declareBids(frame::PassDeclaration& d, const OitPlan& plan) {
   d.reads(plan.countResource(), Use::Texture);
   if (plan.mapsImportance()) d.reads(Resource::Importance, Use::Image);
-  if (plan.learnsBids()) {
-    d.reads(Resource::NetworkOutput, Use::Texture);
-  } else if (plan.slices()) {
+  if (plan.learnsBids()) d.reads(Resource::NetworkOutput, Use::Texture);
+  if (plan.slices()) {
     d.reads(Resource::SliceSums, Use::Storage);
     d.reads(Resource::HdrColor, Use::Texture);
   }
@@ -26,30 +25,26 @@ gl::Defines bidDefines(const OitPlan& plan) {
   defines.emplace_back(plan.method->allocation == Allocation::OneK ? "BID_UNIFORM"
                        : predictor == Predictor::Published         ? "BID_IMPORTANCE"
                        : predictor == Predictor::Transmittance     ? "BID_TRANSMITTANCE"
-                       : predictor == Predictor::Learned           ? "BID_LEARNED"
                                                                    : "BID_ERROR",
                        "1");
   if (plan.learnsBids()) {
+    defines.emplace_back("BID_LEARNED", "1");
     defines.emplace_back("NETWORK_TILE", std::to_string(plan.importance.networkTile));
-  } else if (plan.slices()) {
-    defines.emplace_back("SLICES", std::to_string(plan.importance.slices));
   }
+  if (plan.slices()) defines.emplace_back("SLICES", std::to_string(plan.importance.slices));
   return defines;
 }
 
 void bindBids(const frame::PassContext& context, const OitPlan& plan) {
   context.bindTexture(TEX_INPUT0, plan.countResource());
   if (plan.mapsImportance()) context.bindImage(IMG_2, Resource::Importance, GL_READ_ONLY);
-  if (plan.learnsBids()) {
-    context.bindTexture(TEX_INPUT2, Resource::NetworkOutput);
-  } else if (plan.slices()) {
+  if (plan.learnsBids()) context.bindTexture(TEX_INPUT2, Resource::NetworkOutput);
+  if (plan.slices()) {
     context.bindStorage(SSBO_SLICES, Resource::SliceSums);
     // The opaque image, also where transparency is resized.
     context.bindTexture(TEX_INPUT1, Resource::HdrColor);
     const glm::vec2 pitch = glm::vec2(plan.imageSize) / glm::vec2(plan.size);
     glUniform2f(1, pitch.x, pitch.y);
-  }
-  if (plan.slices()) {
     glUniform2f(0, static_cast<float>(plan.importance.periphery),
                 static_cast<float>(plan.importance.gazeWeight));
   }

@@ -21,7 +21,7 @@ void CountColorsPass::declareWork(frame::PassDeclaration& d) const {
 }
 
 void CountColorsPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  gl::Defines defines;
+  gl::Defines defines{{"VERTEX_LIGHT", "1"}};
   if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
   variants_.prepare(in.gpu->transparent().runs, "oit/count_colors.frag", defines, {}, programs);
 }

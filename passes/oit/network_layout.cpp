@@ -103,8 +103,8 @@ std::vector<std::string> featuresOf(NetworkModel model) {
 std::vector<std::string> outputsOf(NetworkModel model) {
   if (model == NetworkModel::Thesis) return {"importance"};
   std::vector<std::string> names;
-  for (int i = 0; i < LEARNED_KNOTS; ++i) {
-    names.push_back(fmt::format("layers_at_{:.0f}", LEARNED_KNOT_HIGHEST - i * LEARNED_KNOT_STEP));
+  for (const char* name : {"error", "order"}) {
+    for (int i = 0; i < LEARNED_SLICES; ++i) names.push_back(fmt::format("{}_{}", name, i));
   }
   return names;
 }

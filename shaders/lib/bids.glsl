@@ -4,7 +4,7 @@
 // answers for BID_VECTORS times four of them at once.
 // BID_UNIFORM: 1 / k. BID_IMPORTANCE: I / k, so that k follows importance (D'Hondt's method with the
 // pixel's fragments as a cap). BID_TRANSMITTANCE: what passes the slots before. BID_ERROR: how much
-// the predicted squared error falls. BID_LEARNED: as a network says.
+// the predicted squared error falls. BID_LEARNED, with BID_ERROR: a network corrects the prediction.
 // PACKED, TAIL_IN_SLOT: as for the capture.
 #include "lib/oit.glsl"
 #include "lib/importance.glsl"
@@ -35,6 +35,13 @@ vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
 const float kUnknownOrder = 0.003;
 #endif
 
+/// What a network makes of a prediction: by how much errors at the ends of slices are multiplied, and
+/// the order of layers that slices do not tell. Both as log2; 0 changes nothing.
+struct Correction {
+  vec4 error;  // of keeping what lies before slice 0, 1, 2, 3
+  vec4 order;  // inside each slice
+};
+
 /// A prefix of the pixel's fragments, nearest first.
 struct Prefix {
   float fragments;
@@ -53,7 +60,9 @@ void extend(inout Prefix prefix, Slice s) {
 
 #ifdef BID_ERROR
 /// Squared error of keeping the prefix alone, behind it the mean of the rest where there is a tail.
-float predictedError(Prefix kept, Prefix all, vec3 exact, vec3 behind) {
+/// @param slice the last one kept, as far as `part` of it, 0..1
+float predictedError(Prefix kept, Prefix all, vec3 exact, vec3 behind, Correction c, int slice,
+                     float part) {
   float reaches = exp2(-kept.tau);
   float passes = exp2(-all.tau);
 #ifdef TAIL_IN_SLOT
@@ -65,12 +74,17 @@ float predictedError(Prefix kept, Prefix all, vec3 exact, vec3 behind) {
 #endif
   vec3 off = exact - shown(color);
   float unknown = reaches - passes;
+#ifdef BID_LEARNED
+  float more = exp2(mix(c.error[slice], c.error[min(slice + 1, 3)], part));
+  return more * (dot(off, off) + kUnknownOrder * exp2(c.order[slice]) * unknown * unknown);
+#else
   return dot(off, off) + kUnknownOrder * unknown * unknown;
+#endif
 }
 #endif
 
 /// @param behind radiance of the opaque surface · @param weight of the pixel's error
-Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
+Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight, Correction correction) {
   Bids bids;
   for (int v = 0; v < BID_VECTORS; ++v) bids.slots[v] = vec4(n);
   if (n <= LEAST_SLOTS) return bids;
@@ -86,7 +100,7 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
   float slots = slotsFor(0.0, n);
 #ifdef BID_ERROR
   vec3 exact = shown(all.color + exp2(-all.tau) * behind);
-  float value = weight * predictedError(kept, all, exact, behind);
+  float value = weight * predictedError(kept, all, exact, behind, correction, 0, 0.0);
   vec4 each[BID_VECTORS];
   vec4 best[BID_VECTORS];
   for (int v = 0; v < BID_VECTORS; ++v) {
@@ -101,19 +115,20 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
   for (int i = 0; i < SLICES; ++i) {
     uvec4 words = slices[base + uint(i)];
     if (words.x == 0u) continue;
-    Slice part = decodeSlice(words);
-    part.fragments /= float(SLICE_PARTS);
-    part.tau /= float(SLICE_PARTS);
-    part.tauColor /= float(SLICE_PARTS);
+    Slice one = decodeSlice(words);
+    one.fragments /= float(SLICE_PARTS);
+    one.tau /= float(SLICE_PARTS);
+    one.tauColor /= float(SLICE_PARTS);
     for (int j = 0; j < SLICE_PARTS; ++j) {
 #ifdef BID_TRANSMITTANCE
       float tauBefore = kept.tau;
       float slotsBefore = slots;
 #endif
-      extend(kept, part);
+      extend(kept, one);
       slots = slotsFor(kept.fragments * scale, n);
 #ifdef BID_ERROR
-      value = weight * predictedError(kept, all, exact, behind);
+      float part = float(j + 1) / float(SLICE_PARTS);
+      value = weight * predictedError(kept, all, exact, behind, correction, i, part);
       for (int v = 0; v < BID_VECTORS; ++v) {
         vec4 cost = value + slots * each[v];
         bids.slots[v] = mix(bids.slots[v], vec4(slots), lessThan(cost, best[v]));
@@ -122,7 +137,7 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
 #else
       // Where less than the price passes from here on: between the two, as if evenly deep.
       for (int v = 0; v < BID_VECTORS; ++v) {
-        vec4 share = clamp((-prices[v] - tauBefore) / max(part.tau, 1e-6), 0.0, 1.0);
+        vec4 share = clamp((-prices[v] - tauBefore) / max(one.tau, 1e-6), 0.0, 1.0);
         bvec4 here = greaterThanEqual(-prices[v], vec4(tauBefore));
         bids.slots[v] = mix(bids.slots[v], ceil(mix(vec4(slotsBefore), vec4(slots), share)), here);
       }
@@ -137,37 +152,6 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight) {
 #endif
   for (int v = 0; v < BID_VECTORS; ++v) {
     bids.slots[v] = clamp(bids.slots[v], vec4(LEAST_SLOTS), vec4(n));
-  }
-  return bids;
-}
-#elif defined(BID_LEARNED)
-#include "lib/network_output.glsl"
-#include "shared/network.h"
-
-/// Layers an octave beyond the dearest and the cheapest price that the network was asked about.
-const float kDearer = 0.5;
-const float kCheaper = 2.0;
-
-/// Layers at prices of a slot, on straight lines between those that the network names; beyond them
-/// as steep as below.
-vec4 layersAt(vec4 prices, NetworkOutput knots) {
-  vec4 at = (LEARNED_KNOT_HIGHEST - prices) / LEARNED_KNOT_STEP;
-  vec4 layers = knots.low.x + min(at, 0.0) * LEARNED_KNOT_STEP * kDearer;
-  layers += clamp(at, 0.0, 1.0) * (knots.low.y - knots.low.x);
-  layers += clamp(at - 1.0, 0.0, 1.0) * (knots.low.z - knots.low.y);
-  layers += clamp(at - 2.0, 0.0, 1.0) * (knots.low.w - knots.low.z);
-  layers += clamp(at - 3.0, 0.0, 1.0) * (knots.high.x - knots.low.w);
-  layers += clamp(at - 4.0, 0.0, 1.0) * (knots.high.y - knots.high.x);
-  return layers + max(at - 5.0, 0.0) * LEARNED_KNOT_STEP * kCheaper;
-}
-
-/// @param weight of the pixel's error
-Bids bid(uint n, vec4 prices[BID_VECTORS], NetworkOutput knots, float weight) {
-  Bids bids;
-  float least = float(min(n, LEAST_SLOTS));
-  for (int v = 0; v < BID_VECTORS; ++v) {
-    vec4 layers = floor(layersAt(prices[v] - log2(max(weight, 1e-6)), knots));
-    bids.slots[v] = clamp(layers + float(TAIL_SLOTS), vec4(least), vec4(n));
   }
   return bids;
 }

@@ -1,13 +1,19 @@
-// The glTF material at a fragment of the scene. TEXTURED: the run has textures bound.
+// The glTF material at a fragment of the scene. TEXTURED: the run has textures bound. LIT with
+// VERTEX_LIGHT: light came from the vertices, and there is no normal.
 #include "lib/scene.glsl"
 #include "lib/surface.glsl"
 
 layout(location = 0) in vec4 inUv;
 layout(location = 1) in vec4 inColor;
 layout(location = 2) flat in uvec3 inIds;
+#if defined(LIT) && defined(VERTEX_LIGHT)
+layout(location = 3) in vec3 inFrontLight;
+layout(location = 4) in vec3 inBackLight;
+#else
 layout(location = 3) in vec3 inPosition;
 layout(location = 4) in vec3 inNormal;
 layout(location = 5) in vec4 inTangent;
+#endif
 layout(location = 6) flat in float inMirror;
 
 #ifdef TEXTURED
@@ -64,6 +70,7 @@ float facing(MaterialData m) {
   return front ? 1.0 : -1.0;
 }
 
+#if !defined(LIT) || !defined(VERTEX_LIGHT)
 vec3 normalAt(MaterialData m) {
   // A transform that flattens has no normal; any unit vector keeps NaN out of the image.
   vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
@@ -107,3 +114,4 @@ SurfacePoint surfaceAt(MaterialData m) {
 #endif
   return s;
 }
+#endif

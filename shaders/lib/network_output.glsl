@@ -1,5 +1,5 @@
-// What a network said of the pixels of a tile: half floats, four words, the last half the share of
-// the tile that something transparent covers; and what lies between tiles.
+// What a network said of the pixels of a tile, up to eight values as half floats, all 0 where nothing
+// transparent covers it; and what lies between tiles.
 // NETWORK_TILE: pixels a side of a tile.
 #include "lib/half.glsl"
 #include "shared/bindings.h"
@@ -7,8 +7,8 @@
 layout(binding = TEX_INPUT2) uniform usampler2D networkOutput;
 
 struct NetworkOutput {
-  vec4 low;   // outputs 0..3
-  vec4 high;  // outputs 4..6, and the share of the tile that is covered
+  vec4 low;
+  vec4 high;
 };
 
 uvec4 encodeOutput(NetworkOutput o) {
@@ -38,7 +38,8 @@ NetworkOutput outputAt(ivec2 p) {
     ivec2 offset = ivec2(i & 1, i >> 1);
     vec2 near = mix(1.0 - f, f, vec2(offset));
     NetworkOutput o = outputOf(clamp(corner + offset, ivec2(0), last));
-    float weight = near.x * near.y * o.high.w;
+    bool empty = o.low == vec4(0.0) && o.high == vec4(0.0);
+    float weight = empty ? 0.0 : near.x * near.y;
     sum.low += weight * o.low;
     sum.high += weight * o.high;
     weights += weight;

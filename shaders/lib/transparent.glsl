@@ -1,11 +1,13 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
-// LIT: the run's materials are lit. APPROXIMATE: also a cheap guess of both, for predictions.
+// LIT: the run's materials are lit. VERTEX_LIGHT: a cheap guess of both instead, for predictions,
+// with light from the vertices.
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
-#ifdef LIT
+#if defined(LIT) && !defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
 #endif
 
+#if !defined(LIT) || !defined(VERTEX_LIGHT)
 /// KHR_materials_transmission as a thin tinted sheet without refraction. The light behind is scaled
 /// by one number, the least channel of the tint, because a layer stores one alpha; what the other
 /// channels let through in addition is approximated by the ambient radiance. It is exact where the
@@ -31,15 +33,16 @@ vec4 shadeTransparent() {
   return vec4((s.baseColor + s.emissive) * s.alpha, s.alpha);
 #endif
 }
+#endif
 
-#ifdef APPROXIMATE
-/// The same without shadows, highlights and reflections: enough to tell how colours differ.
+#ifdef VERTEX_LIGHT
+/// The same without shadows, highlights, reflections and normal maps: enough to tell how colours
+/// differ.
 vec4 approximateTransparent() {
-  MaterialData m = materials[inIds.x];
 #ifdef LIT
+  MaterialData m = materials[inIds.x];
   vec4 base = baseColorAt(m);
-  vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) * facing(m) : vec3(0.0, 1.0, 0.0);
-  vec3 light = ambientRadiance(n) + irradianceAt(inPosition, n) / kPi;
+  vec3 light = facing(m) > 0.0 ? inFrontLight : inBackLight;
   float alpha = alphaOf(m, base.a);
   float transmission = m.transmission.w;
   vec3 tint = base.rgb * m.transmission.rgb;

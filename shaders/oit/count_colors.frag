@@ -4,7 +4,6 @@ layout(early_fragment_tests) in;
 
 #include "lib/oit.glsl"
 #include "shared/network.h"
-#define APPROXIMATE
 #include "lib/transparent.glsl"
 
 layout(location = 0) out float count;      // summed

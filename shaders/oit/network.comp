@@ -23,18 +23,13 @@ layout(std430, binding = SSBO_NETWORK_VALUES) buffer Values { float values[]; };
 layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
 #endif
 
-/// Layers at each price, which never fall from one price to a lower one: sums of softplus.
-NetworkOutput outputFrom(float said[OUTPUTS], float covered) {
+NetworkOutput outputFrom(float said[OUTPUTS]) {
 #ifdef MODEL_THESIS
-  return NetworkOutput(vec4(said[0], 0.0, 0.0, 0.0), vec4(0.0, 0.0, 0.0, covered));
+  return NetworkOutput(vec4(said[0], 0.0, 0.0, 1.0), vec4(0.0));  // never all 0
 #else
-  float knots[LEARNED_KNOTS];
-  float layers = 0.0;
-  for (int i = 0; i < LEARNED_KNOTS; ++i) {
-    layers += max(said[i], 0.0) + log(1.0 + exp(-abs(said[i])));
-    knots[i] = min(layers, kMaxHalf);
-  }
-  return NetworkOutput(vec4(knots[0], knots[1], knots[2], knots[3]), vec4(knots[4], knots[5], 0.0, covered));
+  vec4 low = vec4(said[0], said[1], said[2], said[3]);
+  vec4 high = vec4(said[4], said[5], said[6], said[7]);
+  return NetworkOutput(LEARNED_MOST * tanh(low / LEARNED_MOST), LEARNED_MOST * tanh(high / LEARNED_MOST));
 #endif
 }
 
@@ -73,7 +68,7 @@ void main() {
   // A loop of no or one round: a group of threads without anything to evaluate leaves it at once also
   // where both sides of a branch are walked through.
   for (int round = 0; round < int(any); ++round) evaluateNetwork(x, said);
-  uvec4 words = encodeOutput(outputFrom(said, covered / float(NETWORK_TILE * NETWORK_TILE)));
+  uvec4 words = encodeOutput(outputFrom(said));
   imageStore(tileOutput, ivec2(gl_GlobalInvocationID.xy), any ? words : uvec4(0u));
 #endif
 #endif

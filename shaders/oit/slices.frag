@@ -6,7 +6,6 @@ layout(early_fragment_tests) in;
 #include "lib/oit.glsl"
 #include "lib/slices.glsl"
 #include "shared/network.h"
-#define APPROXIMATE
 #include "lib/transparent.glsl"
 
 layout(binding = TEX_INPUT1) uniform sampler2D depthRange;

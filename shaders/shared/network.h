@@ -10,18 +10,16 @@
 #define LEARNED_SLICES 4
 #define LEARNED_FEATURES 32
 
-// It says how many layers a pixel should keep at some prices of a slot: 2^-3, 2^-7, ... 2^-23, from
-// what a visible layer of a dark pixel is worth to what no display shows. Layers at prices between
-// them are on a straight line.
-#define LEARNED_KNOTS 6
-#define LEARNED_KNOT_HIGHEST -3.0
-#define LEARNED_KNOT_STEP 4.0
+// It corrects predicted errors (shaders/lib/bids.glsl): of keeping the slices before each, and of the
+// order of layers inside each; all as log2, at most this much up or down.
+#define LEARNED_OUTPUTS 8
+#define LEARNED_MOST 12.0
 
 // Fragments of a pixel crowd towards the eye, where they weigh most: a slice ends at this power of
 // the way from the nearest to the farthest.
 #define LEARNED_SLICE_POWER 0.65
 
-// An error of 2^-20 on the display is nothing; a layer of optical depth 2^-8 cannot be seen.
+// Squared errors below 2^-20 are nothing on a display; a layer of optical depth 2^-8 cannot be seen.
 #define LEARNED_LEAST_ERROR 9.5367431640625e-7
 #define LEARNED_LEAST_DEPTH 0.00390625
 
