@@ -6,6 +6,7 @@
 #include "passes/frame_renderer.h"
 #include "passes/oit/oit_pass.h"
 #include "shared/lod_totals.h"
+#include "shared/network.h"
 
 namespace macula::passes {
 
@@ -93,6 +94,7 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
 void FrameRenderer::planNetwork() {
   plan_.network = nullptr;
   if (!plan_.usesNetwork()) return;
+  if (plan_.learnsBids()) plan_.importance.slices = LEARNED_SLICES;
   const NetworkModel model = plan_.networkModel();
   const std::filesystem::path& chosen = settings_.oit.network;
   const std::filesystem::path file = chosen.empty() ? defaultNetworkFile(model) : chosen;
@@ -140,7 +142,6 @@ void FrameRenderer::prepare() {
   const auto samples = static_cast<std::uint64_t>(inputs_.displaySize.x) *
                        static_cast<std::uint64_t>(inputs_.displaySize.y);
   checkCombination(settings_.oit);
-  checkPredictor(settings_.oit, settings_.importance);
   plan_.importance = settings_.importance;
   plan_.seed = settings_.seed;
   plan_.factorMaps = needsFactors(settings_.heatmap.map);

@@ -68,7 +68,7 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
                s.layerLimit, {.min = 0.0, .max = 65535.0});
   registry.add({.key = "importance.slices",
                 .unit = "depth slices",
-                .help = "that oit.importance transmittance and error predict from"},
+                .help = "that oit.importance transmittance and error predict from; learned: 8"},
                s.slices, {.min = 1.0, .max = 16.0});
   registry.addNumberChoice(
       {.key = "importance.tile", .unit = "samples a side", .help = "that share their depth slices"},

@@ -104,7 +104,7 @@ std::vector<std::string> outputsOf(NetworkModel model) {
   if (model == NetworkModel::Thesis) return {"importance"};
   std::vector<std::string> names;
   for (const char* name : {"error", "order"}) {
-    for (int i = 0; i < LEARNED_SLICES; ++i) names.push_back(fmt::format("{}_{}", name, i));
+    for (int i = 0; i < LEARNED_KNOTS; ++i) names.push_back(fmt::format("{}_{}", name, i));
   }
   return names;
 }

@@ -2,7 +2,6 @@
 
 #include "engine/core/error.h"
 #include "passes/oit/methods.h"
-#include "shared/network.h"
 
 namespace macula::passes {
 namespace {
@@ -95,13 +94,6 @@ void checkCombination(const OitSettings& s) {
   if (s.fragmentBytes != 16 && method.insertion != Insertion::Sorted) {
     failInput("oit.fragmentBytes: {} stores 16 bytes a fragment; use a sorted k-buffer for 8",
               method.id);
-  }
-}
-
-void checkPredictor(const OitSettings& s, const ImportanceSettings& importance) {
-  if (s.importance == Predictor::Learned && importance.slices != LEARNED_SLICES) {
-    failInput("importance.slices: the network of oit.importance learned sees {} depth slices",
-              LEARNED_SLICES);
   }
 }
 

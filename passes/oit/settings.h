@@ -55,7 +55,7 @@ struct ImportanceSettings {
   double noise = 0.1;          ///< lambda of Eq. 6
   double layerLimit = 0.0;     ///< N_limit of Eq. 3; 0: the largest count seen so far
   bool noisePerFrame = false;  ///< a new xi every frame
-  int slices = 4;              ///< depth slices a predictor sums
+  int slices = 4;              ///< depth slices a predictor sums; a network has its own
   int tile = 1;                ///< samples a side that share their slices
   int networkTile = 1;         ///< samples a side for which a network is evaluated once
   double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
@@ -63,7 +63,5 @@ struct ImportanceSettings {
 
 /// @throws InputError where options are combined that make no sense together, saying why
 void checkCombination(const OitSettings& settings);
-/// The same for what predictors need.
-void checkPredictor(const OitSettings& settings, const ImportanceSettings& importance);
 
 }  // namespace macula::passes

@@ -15,6 +15,12 @@ struct Bids {
 
 #if defined(BID_TRANSMITTANCE) || defined(BID_ERROR)
 #include "lib/slices.glsl"
+#include "shared/network.h"
+#ifdef BID_LEARNED
+#define BID_PARTS LEARNED_PARTS
+#else
+#define BID_PARTS SLICE_PARTS
+#endif
 layout(std430, binding = SSBO_SLICES) readonly buffer Slices { uvec4 slices[]; };
 
 /// Slots for so many single fragments and, unless these are all, a tail.
@@ -38,8 +44,8 @@ const float kUnknownOrder = 0.003;
 /// What a network makes of a prediction: by how much errors at the ends of slices are multiplied, and
 /// the order of layers that slices do not tell. Both as log2; 0 changes nothing.
 struct Correction {
-  vec4 error;  // of keeping what lies before slice 0, 1, 2, 3
-  vec4 order;  // inside each slice
+  vec4 error;  // of keeping what lies before each knot: every second slice
+  vec4 order;  // inside the slices from each knot on
 };
 
 /// A prefix of the pixel's fragments, nearest first.
@@ -75,8 +81,10 @@ float predictedError(Prefix kept, Prefix all, vec3 exact, vec3 behind, Correctio
   vec3 off = exact - shown(color);
   float unknown = reaches - passes;
 #ifdef BID_LEARNED
-  float more = exp2(mix(c.error[slice], c.error[min(slice + 1, 3)], part));
-  return more * (dot(off, off) + kUnknownOrder * exp2(c.order[slice]) * unknown * unknown);
+  int knot = slice / LEARNED_SLICES_A_KNOT;
+  float beyond = (float(slice % LEARNED_SLICES_A_KNOT) + part) / float(LEARNED_SLICES_A_KNOT);
+  float more = exp2(mix(c.error[knot], c.error[min(knot + 1, LEARNED_KNOTS - 1)], beyond));
+  return more * (dot(off, off) + kUnknownOrder * exp2(c.order[knot]) * unknown * unknown);
 #else
   return dot(off, off) + kUnknownOrder * unknown * unknown;
 #endif
@@ -116,10 +124,10 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight, C
     uvec4 words = slices[base + uint(i)];
     if (words.x == 0u) continue;
     Slice one = decodeSlice(words);
-    one.fragments /= float(SLICE_PARTS);
-    one.tau /= float(SLICE_PARTS);
-    one.tauColor /= float(SLICE_PARTS);
-    for (int j = 0; j < SLICE_PARTS; ++j) {
+    one.fragments /= float(BID_PARTS);
+    one.tau /= float(BID_PARTS);
+    one.tauColor /= float(BID_PARTS);
+    for (int j = 0; j < BID_PARTS; ++j) {
 #ifdef BID_TRANSMITTANCE
       float tauBefore = kept.tau;
       float slotsBefore = slots;
@@ -127,7 +135,7 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight, C
       extend(kept, one);
       slots = slotsFor(kept.fragments * scale, n);
 #ifdef BID_ERROR
-      float part = float(j + 1) / float(SLICE_PARTS);
+      float part = float(j + 1) / float(BID_PARTS);
       value = weight * predictedError(kept, all, exact, behind, correction, i, part);
       for (int v = 0; v < BID_VECTORS; ++v) {
         vec4 cost = value + slots * each[v];

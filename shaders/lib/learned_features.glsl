@@ -46,11 +46,11 @@ void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
     kept += (reaches - exp2(-keptTau)) * own;
     vec3 ownShown = shown(own);
     x[1 + i] += log2(dot(off, off) + LEARNED_LEAST_ERROR);
-    x[5 + i] += exp2(-keptTau);
-    x[9 + i] += s[i].fragments / max(fragments, 1.0);
-    x[13 + i] += log2(s[i].tau / max(s[i].fragments, 1.0) + LEARNED_LEAST_DEPTH);
-    for (int c = 0; c < 3; ++c) x[17 + 3 * i + c] += ownShown[c];
+    x[1 + LEARNED_SLICES + i] += exp2(-keptTau);
+    x[1 + 2 * LEARNED_SLICES + i] += s[i].fragments / max(fragments, 1.0);
+    x[1 + 3 * LEARNED_SLICES + i] += log2(s[i].tau / max(s[i].fragments, 1.0) + LEARNED_LEAST_DEPTH);
+    for (int c = 0; c < 3; ++c) x[1 + 4 * LEARNED_SLICES + 3 * i + c] += ownShown[c];
   }
   vec3 behindShown = shown(behind);
-  for (int c = 0; c < 3; ++c) x[29 + c] += behindShown[c];
+  for (int c = 0; c < 3; ++c) x[1 + 7 * LEARNED_SLICES + c] += behindShown[c];
 }

@@ -21,9 +21,9 @@ void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
   vec3 blend = texelFetch(colorSums, p, 0).rgb / n;
   vec3 nearest = vec3(floatBitsToUint(texelFetch(nearestColor, p, 0).rgb) & 0xFFu) / 255.0;
   float total = float(totals.extent.x);
-  // The share of the pixel times the number of pixels: the same to a network with a normalisation,
-  // and not a number that a half float or a learning rate loses.
-  x[0] += n * frame.size.x * frame.size.y / total;
+  // The pixel's share of all fragments, times the pixels that have any: as a share alone it is some
+  // millionths, and means another thing in every size and view.
+  x[0] += n * float(totals.extent.w) / total;
   x[1] += float(frame.oit.y) / total;
   x[2] += farShare(range.x);
   x[3] += farShare(-range.y);

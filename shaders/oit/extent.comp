@@ -1,4 +1,4 @@
-// All fragments of the image and how near and far they reach, for features that compare a pixel with
+// All fragments of the image, the pixels that they cover and how near and far they reach, for features that compare a pixel with
 // its scene. A thread walks a strip of pixels and adds to the totals once.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
@@ -14,18 +14,21 @@ void main() {
   ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
   int end = min(first.x + STRIP, int(frame.size.x));
   uint sum = 0u;
+  uint covered = 0u;
   float nearest = 0.0;
   float farthest = 1.0;
   for (ivec2 p = first; p.x < end; ++p.x) {
     float n = texelFetch(fragmentCount, p, 0).r;
     if (n == 0.0) continue;
     sum += uint(n);
+    ++covered;
     vec2 range = texelFetch(depthRange, p, 0).rg;
     nearest = max(nearest, range.x);
     farthest = min(farthest, -range.y);
   }
   if (sum == 0u) return;
   atomicAdd(totals.extent.x, sum);
+  atomicAdd(totals.extent.w, covered);
   // Positive floats order as their bits do; the complement turns a minimum into a maximum, so that
   // 0 is the start of both.
   atomicMax(totals.extent.y, floatBitsToUint(nearest));

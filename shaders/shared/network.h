@@ -5,14 +5,17 @@
 // Features of the thesis's network (Tsopouridis 2021, section 4.2).
 #define THESIS_FEATURES 12
 
-// Depth slices that Macula's own network sees, and its features: six of each slice with a colour of
-// three, the pixel's number of fragments, and the opaque colour behind them.
-#define LEARNED_SLICES 4
-#define LEARNED_FEATURES 32
+// Depth slices that Macula's own network sees: twice as many as the plain prediction takes by default,
+// each thought of as half as many parts, which costs memory but no time. Its features: seven of each
+// slice, the pixel's number of fragments, and the opaque colour behind them.
+#define LEARNED_SLICES 8
+#define LEARNED_PARTS 2
+#define LEARNED_FEATURES 60
 
-// It corrects predicted errors (shaders/lib/bids.glsl): of keeping the slices before each, and of the
-// order of layers inside each; all as log2, at most this much up or down.
-#define LEARNED_OUTPUTS 8
+// It corrects predicted errors (shaders/lib/bids.glsl) at four places: before slices 0, 2, 4 and 6; and
+// the order of layers inside each two slices. All as log2, at most this much up or down.
+#define LEARNED_KNOTS 4
+#define LEARNED_SLICES_A_KNOT 2
 #define LEARNED_MOST 12.0
 
 // Fragments of a pixel crowd towards the eye, where they weigh most: a slice ends at this power of

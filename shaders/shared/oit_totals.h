@@ -25,7 +25,7 @@ struct OitTotals {
   uint lockFailures;    // fragments given up at the bound of a spin lock
   uint oneLayer;        // k of kb-plus
   uvec4 extent;         // x: all fragments; y: bits of the nearest reversed depth; z: complement of
-                        // those of the farthest; for networks of importance
+                        // those of the farthest; w: pixels with a fragment; for networks
   uvec4 levels;         // slots asked for: least for each, at a high price, at a low one, all
   uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
 };

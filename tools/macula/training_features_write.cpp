@@ -30,9 +30,10 @@ struct Rows {
   std::vector<std::uint32_t> fragments;                          ///< of the pixel
   std::vector<float> thesis, learned;                            ///< features
   std::vector<std::uint16_t> optimal, leastRmse, leastRmseTail;  ///< k, one a budget
-  std::vector<std::uint64_t> errorsBegin{0};                     ///< in `errors`
-  std::vector<float> errors;  ///< squared error of k = 0 ... n slots with a tail
-  std::vector<std::uint64_t> sceneFragments, scenePixels;  ///< one a view
+  std::vector<std::uint64_t> errorsBegin{0};                     ///< in `errors` and `errorsPlain`
+  std::vector<float> errors;       ///< squared error of k = 0 ... n slots with a tail
+  std::vector<float> errorsPlain;  ///< and without
+  std::vector<std::uint64_t> viewFragments, viewPixels, viewCovered;  ///< one a view
 };
 
 /// A uniform number below 1 from a seed and a place; PCG's output function (O'Neill 2014).
@@ -104,6 +105,7 @@ class SceneViews {
       tail.push_back(measure::leastRmse(image, slots, measure::Tail::Mean, display_));
     }
     measure::ErrorCurve curve(image, measure::Tail::Mean, display_);
+    measure::ErrorCurve plainCurve(image, measure::Tail::None, display_);
     for (std::size_t p = 0; p < image.pixels(); ++p) {
       if (image.depth(p) == 0) continue;
       if (uniformAt(options_.settings.seed, view, p) >= options_.sample) continue;
@@ -121,10 +123,14 @@ class SceneViews {
         rows.leastRmseTail.push_back(shortOf(tail[b].k[p]));
       }
       for (const double error : curve.of(p)) rows.errors.push_back(static_cast<float>(error));
+      for (const double error : plainCurve.of(p)) {
+        rows.errorsPlain.push_back(static_cast<float>(error));
+      }
       rows.errorsBegin.push_back(rows.errors.size());
     }
-    rows.sceneFragments.push_back(image.fragments.size());
-    rows.scenePixels.push_back(image.pixels());
+    rows.viewFragments.push_back(image.fragments.size());
+    rows.viewPixels.push_back(image.pixels());
+    rows.viewCovered.push_back(image.coveredPixels());
   }
 
  private:
@@ -161,7 +167,7 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
                                      {"scene", scene.scene},
                                      {"split", scene.split},
                                      {"size", o.size},
-                                     {"views", rows.sceneFragments.size()},
+                                     {"views", rows.viewFragments.size()},
                                      {"sample", o.sample},
                                      {"seed", o.settings.seed},
                                      {"shares", o.shares},
@@ -181,8 +187,10 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
   npz.add("least_rmse_tail_k", {count, budgets}, rows.leastRmseTail);
   npz.add("errors_begin", {count + 1}, rows.errorsBegin);
   npz.add("errors", {rows.errors.size()}, rows.errors);
-  npz.add("view_fragments", {rows.sceneFragments.size()}, rows.sceneFragments);
-  npz.add("view_pixels", {rows.scenePixels.size()}, rows.scenePixels);
+  npz.add("errors_plain", {rows.errorsPlain.size()}, rows.errorsPlain);
+  npz.add("view_fragments", {rows.viewFragments.size()}, rows.viewFragments);
+  npz.add("view_pixels", {rows.viewPixels.size()}, rows.viewPixels);
+  npz.add("view_covered", {rows.viewCovered.size()}, rows.viewCovered);
   std::filesystem::create_directories(scene.file.parent_path());
   npz.write(scene.file);
 }

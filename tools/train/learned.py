@@ -1,8 +1,9 @@
-"""Macula's own network: layers that a pixel should keep at some prices of a slot.
+"""Macula's own network: it corrects the errors that depth slices predict (shaders/lib/bids.glsl).
 
-It is not taught numbers of layers. Its layers, at a price drawn at random, are charged what they
-leave of the true squared error and what their slots cost; the least of this, over all pixels, is the
-least error for a budget. Numbers of layers that hardly matter then hardly count.
+It is not taught numbers of layers. At a price drawn at random the prediction chooses among a pixel's
+possible numbers of slots; the choice, made soft, is charged the true squared error that it leaves and
+what its slots cost. The least of this over all pixels is the least error for a budget (Everett 1963),
+so that what is trained is the rendered error, and numbers that hardly matter hardly count.
 """
 
 import numpy as np
@@ -11,59 +12,121 @@ import torch
 import curves
 
 MODEL = "macula"
-KNOTS = 6
-HIGHEST = -3.0  # log2 of the price of the first knot; LEARNED_KNOT_HIGHEST of shared/network.h
-STEP = 4.0  # octaves between knots
-OUTPUTS = [f"layers_at_{HIGHEST - i * STEP:.0f}" for i in range(KNOTS)]
-TAIL_SLOTS = 1.0  # a tail takes one slot of 16 bytes
-# A tail instead of one layer can cost a black pixel its white surface, 3; at the lowest price that
-# would weigh as much as a million slots, and one such pixel would drown all others of its batch.
+SLICES, PARTS = 8, 2  # LEARNED_SLICES, LEARNED_PARTS of shaders/shared/network.h
+KNOTS = 4  # LEARNED_KNOTS: places of corrections
+OUTPUTS = [f"{name}_{i}" for name in ("error", "order") for i in range(KNOTS)]
+MOST = 12.0  # LEARNED_MOST: a correction at the most, as log2
+UNKNOWN_ORDER = 0.003  # kUnknownOrder of shaders/lib/bids.glsl
+# log2 of the prices that a slot is tried at: from what a visible layer of a dark pixel is worth to
+# what no display shows.
+DEAREST, CHEAPEST = -3.0, -23.0
+# How soft the choice is, in slots, and as a share of what the best choice costs.
+SOFTNESS, RELATIVE_SOFTNESS = 0.1, 0.05
+# A black tail in front of a white surface costs a million slots at the lowest price; one such pixel
+# would drown all others of its batch.
 MOST_COST = 1e4
 
 
+class Slices:
+    """What the prediction starts from, out of the features (shaders/lib/learned_features.glsl)."""
+
+    def __init__(self, x, fragments):
+        count = len(x)
+        at = 1 + SLICES
+        passes = x[:, at:at + SLICES].clamp(min=1e-30)
+        behind_all = -torch.log2(passes)
+        tau = torch.cat([behind_all[:, :1], behind_all[:, 1:] - behind_all[:, :-1]], 1).clamp(min=0.0)
+        at += SLICES
+        share = x[:, at:at + SLICES]
+        at += 2 * SLICES
+        color = x[:, at:at + 3 * SLICES].reshape(count, SLICES, 3)**2
+        behind = x[:, at + 3 * SLICES:]**2
+
+        def parts(values):
+            return values.repeat_interleave(PARTS, 1)
+
+        tau = parts(tau / PARTS)
+        color = parts(color)
+        kept_tau = torch.cat([torch.zeros(count, 1), torch.cumsum(tau, 1)], 1)
+        reaches = torch.exp2(-kept_tau)
+        last = reaches[:, -1:]
+        none = torch.zeros(count, 1, 3)
+        kept = torch.cat([none, torch.cumsum((reaches[:, :-1] - reaches[:, 1:])[..., None] * color, 1)], 1)
+        sums = torch.cat([none, torch.cumsum(tau[..., None] * color, 1)], 1)
+        mean = (sums[:, -1:] - sums).clamp(min=0.0) / (kept_tau[:, -1:] - kept_tau).clamp(min=1e-6)[..., None]
+        seen = kept + (reaches - last)[..., None] * mean + (last * behind)[:, None]
+        exact = kept[:, -1] + last * behind
+
+        def shown(radiance):
+            return torch.sqrt(radiance.clamp(0.0, 1.0))
+
+        off = shown(exact)[:, None] - shown(seen)
+        self.squares = (off * off).sum(2)
+        self.unknown = (reaches - last)**2
+        front = torch.cat([torch.zeros(count, 1), torch.cumsum(parts(share / PARTS), 1)], 1)
+        n = fragments[:, None]
+        # One slot for the tail.
+        slots = torch.minimum(torch.ceil(front * n - 1e-3) + 1.0, n)
+        self.slots = torch.cat([slots, n], 1)  # the last: all, without error
+        # Slices without fragments are passed over.
+        filled = parts((share > 0.0).float())
+        self.passed_over = torch.cat([torch.zeros(count, 1), 1.0 - filled], 1) > 0.0
+
+    def errors(self, said):
+        """Predicted errors of all numbers of slots. said: corrections, or None."""
+        if said is None:
+            value = self.squares + UNKNOWN_ORDER * self.unknown
+        else:
+            place = torch.arange(SLICES * PARTS + 1)
+            each = SLICES * PARTS // KNOTS
+            knot = (place - 1).clamp(min=0) // each
+            beyond = (place - knot * each) / each
+            error, order = said[:, :KNOTS], said[:, KNOTS:]
+            low = error[:, knot]
+            high = error[:, (knot + 1).clamp(max=KNOTS - 1)]
+            more = torch.exp2(low + (high - low) * beyond)
+            value = more * (self.squares + UNKNOWN_ORDER * torch.exp2(order[:, knot]) * self.unknown)
+        value = torch.where(self.passed_over, torch.full_like(value, 1e9), value)
+        return torch.cat([value, torch.zeros(len(value), 1)], 1)
+
+
 class Rows:
-    """Features and errors as the trainer takes them: only pixels that have a choice."""
+    """Features and true errors as the trainer takes them: only pixels that have a choice."""
 
     def __init__(self, split):
-        features, starts, counts, hulls, weights = [], [], [], [], []
+        features, starts, counts, errors, weights = [], [], [], [], []
         at = 0
         for scene in split.scenes:
-            begin = scene["errors_begin"]
-            hull = curves.hulls(begin, scene["errors"])
             rows = np.nonzero(scene["fragments"] > 1)[0]
             features.append(scene["learned"][rows])
             counts.append(scene["fragments"][rows])
-            starts.append(begin[rows].astype(np.int64) + at)
-            hulls.append(hull)
+            starts.append(scene["errors_begin"][rows].astype(np.int64) + at)
+            errors.append(scene["errors"])
             weights.append(np.full(len(rows), 1.0 / max(len(rows), 1)))
-            at += len(hull)
+            at += len(scene["errors"])
         self.features = torch.tensor(np.concatenate(features))
         self.counts = torch.tensor(np.concatenate(counts).astype(np.float32))
         self.starts = torch.tensor(np.concatenate(starts))
-        self.hulls = torch.tensor(np.concatenate(hulls))
-        self.cumulated = torch.tensor(np.cumsum(np.concatenate(weights)) / len(features))
+        self.true = torch.tensor(np.concatenate(errors))
+        cumulated = np.cumsum(np.concatenate(weights))
+        self.cumulated = torch.tensor(cumulated / cumulated[-1])
 
     def draw(self, count, generator):
         """Rows at random, each scene as often as any other."""
         place = torch.rand(count, dtype=torch.float64, generator=generator)
         return torch.searchsorted(self.cumulated, place).clamp(max=len(self.counts) - 1)
 
-    def errors(self, rows, slots):
-        """Squared error of a number of slots, which need not be whole."""
-        slots = torch.minimum(slots.clamp(min=1.0), self.counts[rows])
-        below = slots.detach().floor().clamp(min=1.0)
-        below = torch.minimum(below, (self.counts[rows] - 1.0).clamp(min=1.0))
-        at = self.starts[rows] + below.long()
-        return self.hulls[at] + (self.hulls[at + 1] - self.hulls[at]) * (slots - below)
-
 
 class Net(torch.nn.Module):
     def __init__(self, mean, scale, hidden):
         super().__init__()
         self.mean, self.scale = mean, scale
-        sizes = [len(mean), *hidden, KNOTS]
+        sizes = [len(mean), *hidden, len(OUTPUTS)]
         self.layers = torch.nn.ModuleList(
             torch.nn.Linear(a, b) for a, b in zip(sizes[:-1], sizes[1:]))
+        with torch.no_grad():  # begins near the plain prediction
+            self.layers[-1].weight.mul_(0.1)
+            self.layers[-1].bias.zero_()
 
     def raw(self, x):
         x = (x - self.mean) * self.scale
@@ -72,86 +135,64 @@ class Net(torch.nn.Module):
         return self.layers[-1](x)
 
     def forward(self, x):
-        """Layers at each knot; a lower price never buys fewer."""
-        return torch.cumsum(torch.nn.functional.softplus(self.raw(x)), 1)
-
-
-def layers_at(knots, prices):
-    """On straight lines between knots. prices: log2."""
-    at = ((HIGHEST - prices) / STEP).clamp(0.0, KNOTS - 1.0 - 1e-4)
-    first = at.long()
-    low = knots.gather(1, first[:, None])[:, 0]
-    high = knots.gather(1, first[:, None] + 1)[:, 0]
-    return low + (high - low) * (at - first)
+        return MOST * torch.tanh(self.raw(x) / MOST)
 
 
 def loss_of(net, rows, chosen, generator, prices_each=4):
-    """Mean of error / price + slots, in slots."""
-    knots = net(rows.features[chosen])
+    """Mean of what the soft choice costs over what the best one would, in slots."""
+    slices = Slices(rows.features[chosen], rows.counts[chosen])
+    errors = slices.errors(net(rows.features[chosen]))
+    true = rows.true[rows.starts[chosen][:, None] + slices.slots.long()]
     total = 0.0
     for _ in range(prices_each):
-        price = HIGHEST - STEP * (KNOTS - 1) * torch.rand(len(chosen), generator=generator)
-        # The shader rounds layers down: on average half a one less.
-        slots = layers_at(knots, price) + (TAIL_SLOTS - 0.5)
-        cost = rows.errors(chosen, slots) * torch.exp2(-price)
-        paid = torch.minimum(slots, rows.counts[chosen]).clamp(min=TAIL_SLOTS)
-        # Beyond what a pixel has nothing changes; a weak pull keeps the slope alive there.
-        beyond = torch.relu(slots - rows.counts[chosen]) + torch.relu(TAIL_SLOTS - slots)
-        total = total + ((cost + paid).clamp(max=MOST_COST) + 0.02 * beyond).mean()
+        price = DEAREST + (CHEAPEST - DEAREST) * torch.rand(len(chosen), 1, generator=generator)
+        each = torch.exp2(-price)
+        cost = errors * each + slices.slots
+        softness = SOFTNESS + RELATIVE_SOFTNESS * cost.detach().min(1, keepdim=True)[0]
+        choice = torch.softmax(-cost / softness, 1)
+        paid = (true * each + slices.slots).clamp(max=MOST_COST)
+        total = total + ((choice * paid).sum(1) - paid.min(1)[0]).mean()
     return total / prices_each
 
 
 def judge(net, split):
-    """RMSE of the network's slots over that of the best slots, mean over views and budgets."""
-    ratios = []
+    """RMSE of the network's slots over that of the plain prediction, by scene: means over views and
+    budgets."""
+    ratios = {}
     with torch.no_grad():
         for scene in split.scenes:
-            begin, errors = scene["errors_begin"], scene["errors"]
-            hull = curves.hulls(begin, errors)
-            knots = net(torch.tensor(scene["learned"]))
+            begin, true = scene["errors_begin"].astype(np.int64), scene["errors"]
             fragments = scene["fragments"].astype(np.int64)
+            x = torch.tensor(scene["learned"])
+            slices = Slices(x, torch.tensor(fragments.astype(np.float32)))
+            slots = slices.slots.numpy()
+            kinds = [slices.errors(None).numpy(), slices.errors(net(x)).numpy()]
             for view in np.unique(scene["view"]):
                 rows = np.nonzero(scene["view"] == view)[0]
-                ratios += _judge_view(knots[rows], fragments[rows], begin, errors, hull, rows,
-                                      split.shares)
-    return float(np.mean(ratios))
+                for share in split.shares:
+                    budget = share * fragments[rows].sum()
+                    if budget < 1.2 * len(rows):
+                        continue  # little more than a slot each: nothing to choose
+                    plain, corrected = (
+                        _rmse(e[rows], slots[rows], begin[rows], true, fragments[rows], budget)
+                        for e in kinds)
+                    if plain > 1e-4:  # less is below what any display shows
+                        ratios.setdefault(scene.name, []).append(corrected / plain)
+    return {name: float(np.mean(values)) for name, values in ratios.items()}
 
 
-def _judge_view(knots, fragments, begin, errors, hull, rows, shares):
-    counts = np.diff(begin).astype(np.int64)[rows]
-    ends = np.cumsum(counts)
-    flat = np.repeat(begin[rows].astype(np.int64) - (ends - counts), counts) + np.arange(ends[-1])
-    own = np.concatenate([[0], ends])
-    own_errors, own_hull = errors[flat], hull[flat]
-    inside = np.ones(len(flat) - 1, dtype=bool)
-    gains = own_hull[:-1] - own_hull[1:]
-    inside[own[1:-1] - 1] = False  # from a row's last to the next one's first
-    inside[own[:-1][own[:-1] < len(inside)]] = False  # the first slot is everyone's
-    row_of = np.repeat(np.arange(len(rows)), counts)[:-1]
+def _rmse(errors, slots, begin, true, fragments, budget):
+    def slots_at(price):
+        best = np.argmin(errors + slots * np.float32(2.0**price), 1)
+        return np.take_along_axis(slots, best[:, None], 1)[:, 0].astype(np.int64)
 
-    def best(price):
-        taken = inside & (gains > 2.0**price)
-        return np.minimum(fragments, 1 + np.bincount(row_of[taken], minlength=len(rows)))
-
-    def said(price):
-        at = torch.full((len(rows),), float(np.clip(price, HIGHEST - STEP * (KNOTS - 1), HIGHEST)))
-        layers = layers_at(knots, at).numpy()
-        return np.clip(np.floor(layers + TAIL_SLOTS).astype(np.int64), 1, fragments)
-
-    ratios = []
-    for share in shares:
-        budget = share * fragments.sum()
-        if budget < 1.2 * len(rows):
-            continue  # little more than a slot each: nothing to choose
-        least = curves.rmse_at(curves.spend(best, budget), own, own_errors, len(rows))
-        if least < 1e-4:
-            continue  # below what any display shows
-        ratios.append(curves.rmse_at(curves.spend(said, budget), own, own_errors, len(rows)) / least)
-    return ratios
+    taken = np.minimum(curves.spend(slots_at, budget), fragments)
+    return float(np.sqrt(true[begin + taken].sum() / (3.0 * len(begin))))
 
 
 def train(training, validation, hidden, steps, batch, rate, seed, say):
-    """Returns the network. say(step, training loss, validation loss) shows progress."""
+    """Returns the network and its validation losses. say(step, training loss, validation loss) shows
+    progress."""
     torch.manual_seed(seed)
     generator = torch.Generator().manual_seed(seed)
     rows, held = Rows(training), Rows(validation)
@@ -165,10 +206,8 @@ def train(training, validation, hidden, steps, batch, rate, seed, say):
         if step % max(steps // 20, 1) == 0 or step == steps:
             with torch.no_grad():
                 probe = torch.Generator().manual_seed(seed + 1)
-                chosen = held.draw(20000, probe)
-                losses.append(float(loss_of(net, held, chosen, probe)))
-                chosen = rows.draw(20000, probe)
-                say(step, float(loss_of(net, rows, chosen, probe)), losses[-1])
+                losses.append(float(loss_of(net, held, held.draw(20000, probe), probe)))
+                say(step, float(loss_of(net, rows, rows.draw(20000, probe), probe)), losses[-1])
         if step == steps:
             break
         loss = loss_of(net, rows, rows.draw(batch, generator), generator)
