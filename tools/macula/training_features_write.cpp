@@ -6,6 +6,7 @@
 
 #include "common.h"
 #include "engine/core/error.h"
+#include "engine/core/file.h"
 #include "engine/dataset/npz.h"
 #include "engine/experiment/tone_curve.h"
 #include "engine/measure/oracle.h"
@@ -91,8 +92,8 @@ class SceneViews {
     static_cast<void>(thesis_.render(camera, kCentre));
     static_cast<void>(learned_.render(camera, kCentre));
     const measure::FragmentImage image = passes::readFragments(exact_, opaque_);
-    const std::vector<float> thesis = passes::readFeatures(thesis_, machine_.programs);
-    const std::vector<float> learned = passes::readFeatures(learned_, machine_.programs);
+    const std::vector<float> thesis = passes::readFeatures(thesis_, opaque_, machine_.programs);
+    const std::vector<float> learned = passes::readFeatures(learned_, opaque_, machine_.programs);
     std::vector<measure::LayerChoice> optimal;
     std::vector<measure::LayerChoice> plain;
     std::vector<measure::LayerChoice> tail;
@@ -183,7 +184,6 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
   npz.add("errors", {rows.errors.size()}, rows.errors);
   npz.add("view_fragments", {rows.sceneFragments.size()}, rows.sceneFragments);
   npz.add("view_pixels", {rows.scenePixels.size()}, rows.scenePixels);
-  std::filesystem::create_directories(scene.file.parent_path());
   npz.write(scene.file);
 }
 
@@ -191,6 +191,8 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
 
 void writeFeatures(const FeaturesOptions& o) {
   const std::vector<FeaturesScene> scenes = scenesOf(o);
+  // Before minutes of rendering, not after.
+  for (const FeaturesScene& scene : scenes) makeOutputFolder(scene.file.parent_path());
   const window::HeadlessContext context(platformOf(o.platform));
   passes::Machine machine;
   nlohmann::ordered_json written = nlohmann::ordered_json::array();

@@ -9,6 +9,7 @@ import numpy as np
 import torch
 
 import curves
+import data
 
 MODEL = "macula"
 KNOTS = 6
@@ -41,7 +42,10 @@ class Rows:
         self.counts = torch.tensor(np.concatenate(counts).astype(np.float32))
         self.starts = torch.tensor(np.concatenate(starts))
         self.hulls = torch.tensor(np.concatenate(hulls))
-        self.cumulated = torch.tensor(np.cumsum(np.concatenate(weights)) / len(features))
+        cumulated = np.cumsum(np.concatenate(weights))
+        if not len(cumulated):
+            raise data.BadData(f"{split.folder}: no pixel has two fragments; choose other scenes")
+        self.cumulated = torch.tensor(cumulated / cumulated[-1])
 
     def draw(self, count, generator):
         """Rows at random, each scene as often as any other."""
