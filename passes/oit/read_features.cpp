@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "engine/gl/gl.h"
-#include "passes/oit/network_pass.h"
+#include "passes/oit/network_inputs.h"
 #include "passes/oit/oit_pass.h"
 #include "shared/bindings.h"
 
