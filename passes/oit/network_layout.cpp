@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "shared/network.h"
@@ -39,7 +41,8 @@ std::vector<std::string> learnedFeatures() {
 std::string literal(float value) {
   std::string text = fmt::format("{:.9g}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return value < 0.0F ? "(" + text + ")" : text;
+  // Behind a minus a sign would make a decrement, that of -0 too.
+  return std::signbit(value) ? "(" + text + ")" : text;
 }
 
 /// bias + sum of weight * name_i of one output.

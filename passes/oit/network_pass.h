@@ -19,7 +19,4 @@ class NetworkPass final : public OitPass {
   GLuint program_ = 0;
 };
 
-/// What the network's shader reads. For the pass, and for those who read its features back.
-void bindNetworkInputs(const frame::PassContext& context, const OitPlan& plan);
-
 }  // namespace macula::passes

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "engine/gl/gl.h"
-#include "passes/oit/network_pass.h"
+#include "passes/oit/network_inputs.h"
 #include "passes/oit/oit_pass.h"
 #include "shared/bindings.h"
 
@@ -27,10 +27,15 @@ std::vector<float> download(const gl::Buffer& buffer) {
 
 }  // namespace
 
-std::vector<float> readFeatures(FrameRenderer& renderer, gl::ProgramCache& programs) {
+std::vector<float> readFeatures(FrameRenderer& renderer, const FrameRenderer& opaque,
+                                gl::ProgramCache& programs) {
   const OitPlan& plan = renderer.plan();
   if (plan.network == nullptr || plan.resized()) {
     throw std::invalid_argument("features are read from a frame that a network saw, at full rate");
+  }
+  const gl::Texture& behind = opaque.resources().texture(frame::Resource::HdrColor);
+  if (behind.width() != plan.size.x || behind.height() != plan.size.y) {
+    throw std::invalid_argument("features are read with an opaque frame of the same size");
   }
   const auto width = static_cast<std::size_t>(plan.size.x);
   const auto height = static_cast<std::size_t>(plan.size.y);
@@ -40,6 +45,8 @@ std::vector<float> readFeatures(FrameRenderer& renderer, gl::ProgramCache& progr
   context.bindConstants(frame::Raster::Image);
   glUseProgram(programOf(*plan.network, plan.networkModel(), "FEATURES_OUT", programs));
   bindNetworkInputs(context, plan);
+  // By now transparency lies over the frame's own opaque image.
+  if (plan.networkModel() == NetworkModel::Learned) glBindTextureUnit(TEX_INPUT1, behind.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_NETWORK_VALUES, values.id());
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   context.dispatch(plan.size, kFullScreenGroup);

@@ -9,9 +9,12 @@ namespace macula::passes {
 
 /// The features of every sample of the last frame, by the shader that evaluates the network.
 /// @param renderer drew with a method that uses a network, transparency at full rate
+/// @param opaque drew the same view of the same scene at the same size, showTransparency(false):
+///   a drawn frame no longer holds the opaque image that the network saw behind its fragments
 /// @returns width x height x features, rows from the top; 0 where nothing is transparent
-/// @throws std::invalid_argument where it did not
-[[nodiscard]] std::vector<float> readFeatures(FrameRenderer& renderer, gl::ProgramCache& programs);
+/// @throws std::invalid_argument where they did not
+[[nodiscard]] std::vector<float> readFeatures(FrameRenderer& renderer, const FrameRenderer& opaque,
+                                              gl::ProgramCache& programs);
 
 /// What the network says of given features, by that shader. For the check against the program that
 /// trained it.

@@ -1,6 +1,7 @@
 // What a network said of the pixels of a tile, up to eight values as half floats, all 0 where nothing
 // transparent covers it; and what lies between tiles.
 // NETWORK_TILE: pixels a side of a tile.
+#include "lib/frame.glsl"
 #include "lib/half.glsl"
 #include "shared/bindings.h"
 
@@ -28,7 +29,8 @@ NetworkOutput outputAt(ivec2 p) {
 #if NETWORK_TILE == 1
   return outputOf(p);
 #else
-  ivec2 last = textureSize(networkOutput, 0) - 1;
+  // Of this frame: the texture is as large as full rate needs.
+  ivec2 last = (ivec2(frame.size.xy) - 1) / NETWORK_TILE;
   vec2 place = (vec2(p) + 0.5) / float(NETWORK_TILE) - 0.5;
   ivec2 corner = ivec2(floor(place));
   vec2 f = place - vec2(corner);

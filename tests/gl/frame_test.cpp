@@ -22,7 +22,8 @@ TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
   const scene::Scene scene = tangle(100, 1);
   std::vector<passes::OitSettings> all{
       {.method = "kb-plus", .fill = true, .tail = passes::Tail::Mean},
-      {.method = "kb-variable", .fill = true, .importance = passes::Predictor::Error}};
+      {.method = "kb-variable", .fill = true, .importance = passes::Predictor::Error},
+      learnedBids(4.0)};
   for (const passes::Method& method : passes::methods()) {
     if (method.id == "kb-stencil" && machine().capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});

@@ -36,42 +36,13 @@ std::vector<OitSettings> allWays(const passes::Machine& machine) {
       {.method = "kb-variable", .cull = passes::Cull::Occupancy},
       {.method = "kb-variable", .count = passes::CountSource::Predicted},
       {.method = "kb-variable", .fill = true, .importance = Predictor::Transmittance},
-      {.method = "kb-variable", .fill = true, .tail = Tail::Mean, .importance = Predictor::Error}};
+      {.method = "kb-variable", .fill = true, .tail = Tail::Mean, .importance = Predictor::Error},
+      learnedBids(4.0)};
   for (const passes::Method& method : passes::methods()) {
     if (method.id == "kb-stencil" && machine.capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});
   }
   return all;
-}
-
-/// An unlit rectangle parallel to the image. @param corners x, y in metres at its distance
-void addRectangle(scene::Scene& scene, float distance, glm::vec2 low, glm::vec2 high,
-                  glm::vec4 color, bool opaque) {
-  scene::Material material;
-  material.unlit = true;
-  material.doubleSided = true;
-  material.metallic = 0.0F;
-  material.baseColor = color;
-  material.alphaMode = opaque ? scene::AlphaMode::Opaque : scene::AlphaMode::Blend;
-  scene::Primitive quad;
-  quad.material = static_cast<std::int32_t>(scene.materials.size());
-  scene.materials.push_back(material);
-  for (const glm::vec2 p : {low, glm::vec2(high.x, low.y), glm::vec2(low.x, high.y), high}) {
-    quad.positions.emplace_back(p, -distance);
-    quad.attributes.emplace_back();
-  }
-  quad.indices = {0, 1, 2, 2, 1, 3};
-  scene.instances.push_back({static_cast<std::uint32_t>(scene.primitives.size()), glm::mat4(1)});
-  scene.primitives.push_back(std::move(quad));
-}
-
-scene::Scene emptyScene() {
-  scene::Scene scene;
-  scene::Camera camera;
-  camera.nearPlane = 0.1F;
-  camera.farPlane = 50.0F;
-  scene.cameras.push_back(camera);
-  return scene;
 }
 
 double psnrDb(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {

@@ -48,6 +48,40 @@ scene::Scene sheets(const std::vector<Sheet>& list) {
   return scene;
 }
 
+void addRectangle(scene::Scene& scene, float distance, glm::vec2 low, glm::vec2 high,
+                  glm::vec4 color, bool opaque) {
+  scene::Material material;
+  material.unlit = true;
+  material.doubleSided = true;
+  material.metallic = 0.0F;
+  material.baseColor = color;
+  material.alphaMode = opaque ? scene::AlphaMode::Opaque : scene::AlphaMode::Blend;
+  scene::Primitive quad;
+  quad.material = static_cast<std::int32_t>(scene.materials.size());
+  scene.materials.push_back(material);
+  for (const glm::vec2 p : {low, glm::vec2(high.x, low.y), glm::vec2(low.x, high.y), high}) {
+    quad.positions.emplace_back(p, -distance);
+    quad.attributes.emplace_back();
+  }
+  quad.indices = {0, 1, 2, 2, 1, 3};
+  scene.instances.push_back({static_cast<std::uint32_t>(scene.primitives.size()), glm::mat4(1)});
+  scene.primitives.push_back(std::move(quad));
+}
+
+scene::Scene emptyScene() {
+  scene::Scene scene;
+  scene::Camera camera;
+  camera.nearPlane = 0.1F;
+  camera.farPlane = 50.0F;
+  scene.cameras.push_back(camera);
+  return scene;
+}
+
+scene::Scene unlit(scene::Scene scene) {
+  for (scene::Material& material : scene.materials) material.unlit = true;
+  return scene;
+}
+
 glm::vec4 variedColor(int i, float alpha) {
   const auto channel = [&](int step) { return static_cast<float>(i * step % 97) / 96.0F; };
   return {channel(37), channel(53), channel(71), alpha};
@@ -70,20 +104,29 @@ passes::RenderSettings settingsOf(const OitSettings& oit) {
 }
 
 std::string describe(const OitSettings& oit) {
-  constexpr const char* kPredictors[]{"published", "transmittance", "error"};
+  constexpr const char* kPredictors[]{"published", "transmittance", "error", "learned"};
   return oit.method + " sync " + oit.sync + (oit.tail == Tail::Mean ? " tail" : "") +
          (oit.fill ? " fill" : "") + " " + kPredictors[static_cast<int>(oit.importance)] + " " +
          std::to_string(oit.fragmentBytes) + " bytes, k " + std::to_string(oit.kAve);
 }
 
+OitSettings learnedBids(double kAve, int fragmentBytes) {
+  return {.method = "kb-variable",
+          .kAve = kAve,
+          .fill = true,
+          .tail = Tail::Mean,
+          .importance = Predictor::Learned,
+          .fragmentBytes = fragmentBytes};
+}
+
 std::vector<OitSettings> sortedCases(double kAve) {
   std::vector<OitSettings> all;
-  for (const char* method : {"kb-fixed", "kb-plus", "kb-variable"}) {
+  for (const char* method : {"kb-fixed", "kb-plus", "kb-variable", "kb-learned"}) {
     for (const char* sync : {"ordered", "spinlock"}) {
       for (const Tail tail : {Tail::None, Tail::Mean}) {
         for (const bool fill : {false, true}) {
-          for (const Predictor importance :
-               {Predictor::Published, Predictor::Transmittance, Predictor::Error}) {
+          for (const Predictor importance : {Predictor::Published, Predictor::Transmittance,
+                                             Predictor::Error, Predictor::Learned}) {
             for (const int bytes : {16, 8}) {
               const OitSettings s{.method = method,
                                   .kAve = kAve,
@@ -125,7 +168,9 @@ std::vector<OitSettings> completeCases(int layers) {
           {.method = "kb-variable", .kAve = 4.0 * k + 4.0},
           {.method = "kb-variable", .kAve = k, .fill = true},
           {.method = "kb-variable", .kAve = k, .fill = true, .tail = Tail::Mean},
-          {.method = "kb-variable", .kAve = k, .fill = true, .importance = Predictor::Error}};
+          {.method = "kb-variable", .kAve = k, .fill = true, .importance = Predictor::Error},
+          {.method = "kb-learned", .kAve = k, .fill = true},
+          learnedBids(k)};
 }
 
 float largestDifference(const std::vector<float>& a, const std::vector<float>& b) {

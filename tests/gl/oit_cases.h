@@ -21,6 +21,17 @@ struct Sheet {
 /// One instance for each sheet, in this order, so that ids grow along it. Black background.
 [[nodiscard]] scene::Scene sheets(const std::vector<Sheet>& list);
 
+/// Nothing but the camera of sheets().
+[[nodiscard]] scene::Scene emptyScene();
+
+/// Adds an unlit rectangle parallel to the image. @param low, high corners, x and y in metres at
+/// its distance
+void addRectangle(scene::Scene& scene, float distance, glm::vec2 low, glm::vec2 high,
+                  glm::vec4 color, bool opaque);
+
+/// The scene with unlit materials: surfaces are of their own colour, and shaders compile fast.
+[[nodiscard]] scene::Scene unlit(scene::Scene scene);
+
 /// Colours that differ in every channel. @param i which
 [[nodiscard]] glm::vec4 variedColor(int i, float alpha);
 
@@ -32,6 +43,9 @@ struct Sheet {
 
 /// The options in one line, for messages.
 [[nodiscard]] std::string describe(const passes::OitSettings& oit);
+
+/// kb-variable as a network says it.
+[[nodiscard]] passes::OitSettings learnedBids(double kAve, int fragmentBytes = 16);
 
 /// All combinations of tail x fill x importance x fragmentBytes x sync of the synchronised sorted
 /// k-buffers that are accepted, at this budget. Without culling and predicted counts.

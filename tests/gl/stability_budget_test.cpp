@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 #include "oit_cases.h"
-#include "shared/oit_constants.h"
+#include "slots.h"
 
 namespace macula::test {
 namespace {
@@ -17,54 +17,10 @@ using passes::Tail;
 
 constexpr glm::ivec2 kSize{61, 43};  // no multiple of a strip
 
-/// What the allocation gave to one pixel.
-struct Given {
-  std::uint32_t first = 0;
-  std::uint32_t slots = 0;  ///< of single fragments and of the tail
-  std::uint32_t count = 0;  ///< fragments
-};
-
-std::vector<Given> givenBy(const Bench& bench) {
-  const auto ranges = bench.words(Resource::FragmentRange, 2);
-  const auto counts = bench.floats(Resource::FragmentCount, 1);
-  std::vector<Given> all(counts.size());
-  for (std::size_t p = 0; p < counts.size(); ++p) {
-    const bool tail = (ranges[2 * p + 1] & RANGE_TAIL) != 0;
-    all[p] = {ranges[2 * p],
-              (ranges[2 * p + 1] & ~RANGE_TAIL) + (tail ? bench.renderer.plan().tailSlots() : 0U),
-              static_cast<std::uint32_t>(counts[p])};
-  }
-  return all;
-}
-
-/// Checks ranges against the pool and each other. @returns the slots given in all
-std::uint64_t expectDisjoint(const std::vector<Given>& given, std::uint64_t slots,
-                             const std::string& what) {
-  std::vector<bool> taken(slots, false);
-  std::uint64_t sum = 0;
-  std::size_t overlaps = 0;
-  std::size_t outside = 0;
-  for (const Given& g : given) {
-    sum += g.slots;
-    for (std::uint64_t s = g.first; s < std::uint64_t{g.first} + g.slots; ++s) {
-      if (s >= slots) {
-        ++outside;
-      } else {
-        if (taken[s]) ++overlaps;
-        taken[s] = true;
-      }
-    }
-  }
-  EXPECT_EQ(overlaps, 0U) << what;
-  EXPECT_EQ(outside, 0U) << what;
-  return sum;
-}
-
 class Promise : public GlTest {};
 
 TEST_F(Promise, SlotsStayWithinTheBudgetForEveryOption) {
-  scene::Scene scene = tangle(240, 11);
-  for (scene::Material& material : scene.materials) material.unlit = true;
+  const scene::Scene scene = unlit(tangle(240, 11));
   const scene::GpuScene gpu(scene, nullptr);
   int frames = 0;
   for (const double kAve : {0.02, 0.3, 1.0, 2.5, 6.0, 40.0}) {
@@ -180,8 +136,7 @@ TEST(FillMirror, AgreesWithACaseByHand) {
 }
 
 TEST_F(Promise, FillFollowsItsMirror) {
-  scene::Scene scene = tangle(900, 4);
-  for (scene::Material& material : scene.materials) material.unlit = true;
+  const scene::Scene scene = unlit(tangle(900, 4));
   for (const double kAve : {1.2, 2.0, 4.0, 8.0}) {
     Bench bench(scene, settingsOf({.method = "kb-variable", .kAve = kAve, .fill = true}), {96, 80},
                 machine());

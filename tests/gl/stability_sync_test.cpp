@@ -53,7 +53,7 @@ std::vector<OitSettings> lockedCases() {
   std::vector<OitSettings> all;
   for (const OitSettings& oit : sortedCases(kSlots)) {
     if (oit.sync == "spinlock" && oit.importance == passes::Predictor::Published &&
-        (oit.method != "kb-variable" || oit.fill)) {
+        oit.method != "kb-learned" && (oit.method != "kb-variable" || oit.fill)) {
       all.push_back(oit);
     }
   }

@@ -17,12 +17,6 @@ using passes::OitSettings;
 using passes::Predictor;
 using passes::Tail;
 
-scene::Scene unlitTangle(int triangles, std::uint32_t seed) {
-  scene::Scene scene = tangle(triangles, seed);
-  for (scene::Material& material : scene.materials) material.unlit = true;
-  return scene;
-}
-
 class Tails : public GlTest {};
 
 /// Slots of each pixel, as measure::Tail::Mean counts them (one of them for the tail), rows from
@@ -46,7 +40,7 @@ std::vector<std::uint32_t> slotsFromTop(const Bench& bench, glm::ivec2 size) {
 
 TEST_F(Tails, EqualTheirMirror) {
   constexpr glm::ivec2 kSize{72, 56};
-  const scene::Scene scene = unlitTangle(900, 7);
+  const scene::Scene scene = unlit(tangle(900, 7));
   Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
   Bench opaque(scene, linearSettings("ab-sbuffer"), kSize, machine());
   opaque.renderer.showTransparency(false);

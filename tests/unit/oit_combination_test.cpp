@@ -25,6 +25,26 @@ const std::vector<Refused>& refused() {
       {{.tail = Tail::Mean, .cull = Cull::Occupancy}, "oit.cull:", "never reach the tail"},
       {{.method = "kb-fixed", .importance = Predictor::Error}, "oit.importance:", "the same k"},
       {{.method = "kb-plus", .importance = Predictor::Transmittance}, "oit.importance:", "kb-plus"},
+      {{.method = "kb-fixed", .fill = true, .tail = Tail::Mean, .importance = Predictor::Learned},
+       "oit.importance:",
+       "the same k"},
+      {{.importance = Predictor::Learned}, "oit.importance:", "add --oit.fill on --oit.tail mean"},
+      {{.fill = true, .importance = Predictor::Learned}, "oit.importance:", "before a tail"},
+      {{.tail = Tail::Mean, .importance = Predictor::Learned},
+       "oit.importance:",
+       "budget that is filled"},
+      {{.method = "kb-learned", .importance = Predictor::Transmittance},
+       "oit.importance:",
+       "kb-learned takes importance from the thesis's network"},
+      {{.method = "kb-learned", .importance = Predictor::Error},
+       "oit.importance:",
+       "use kb-variable for others"},
+      {{.method = "kb-learned", .fill = true, .tail = Tail::Mean, .importance = Predictor::Learned},
+       "oit.importance:",
+       "use kb-variable for others"},
+      {{.method = "kb-learned", .tail = Tail::Mean, .cull = Cull::Occupancy},
+       "oit.cull:",
+       "never reach the tail"},
       {{.method = "kb-fixed", .fill = true}, "oit.fill:", "no budget that pixels share"},
       {{.method = "kb-atomic", .fill = true}, "oit.fill:", "use kb-variable or kb-plus"},
       {{.method = "ab-array", .fill = true}, "oit.fill:", "ab-array"},
@@ -34,6 +54,15 @@ const std::vector<Refused>& refused() {
       {{.tail = Tail::Mean, .importance = Predictor::Error, .count = CountSource::Predicted},
        "oit.count:",
        "depth slices"},
+      {{.fill = true,
+        .tail = Tail::Mean,
+        .importance = Predictor::Learned,
+        .count = CountSource::Predicted},
+       "oit.count:",
+       "depth slices"},
+      {{.method = "kb-learned", .count = CountSource::Predicted},
+       "oit.count:",
+       "the network of kb-learned sees what a count pass gathers; use --oit.count drawn"},
       {{.tail = Tail::Mean, .fragmentBytes = 8, .count = CountSource::Predicted},
        "oit.count:",
        "16 bytes"},
@@ -86,6 +115,10 @@ TEST(Combinations, AcceptedOnesPass) {
       {.fill = true, .tail = Tail::Mean, .importance = Predictor::Transmittance},
       {.tail = Tail::Mean, .count = CountSource::Predicted},
       {.count = CountSource::Predicted},
+      {.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned},
+      {.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned, .fragmentBytes = 8},
+      {.method = "kb-learned", .fill = true, .tail = Tail::Mean, .fragmentBytes = 8},
+      {.method = "kb-learned", .sync = "none", .cull = Cull::Occupancy},
   };
   for (const OitSettings& settings : accepted) {
     EXPECT_NO_THROW(checkCombination(settings)) << test::describe(settings);
@@ -95,6 +128,23 @@ TEST(Combinations, AcceptedOnesPass) {
 TEST(Combinations, EveryMethodTakesItsDefaults) {
   for (const Method& method : methods()) {
     EXPECT_NO_THROW(checkCombination({.method = std::string(method.id)})) << method.id;
+  }
+}
+
+TEST(Combinations, ThePredictorThatLearnedSeesItsOwnNumberOfSlices) {
+  const OitSettings learned{.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned};
+  EXPECT_NO_THROW(checkPredictor(learned, {}));
+  EXPECT_NO_THROW(checkPredictor(learned, {.slices = 4, .tile = 2, .networkTile = 4}));
+  for (const int slices : {3, 5}) {
+    try {
+      checkPredictor(learned, {.slices = slices});
+      ADD_FAILURE() << "accepted: " << slices << " slices";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith("importance.slices:"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("sees 4 depth slices"));
+    }
+    EXPECT_NO_THROW(checkPredictor({.importance = Predictor::Error}, {.slices = slices}));
+    EXPECT_NO_THROW(checkPredictor({.method = "kb-learned"}, {.slices = slices}));
   }
 }
 

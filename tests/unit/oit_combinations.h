@@ -26,7 +26,7 @@ inline std::vector<passes::OitSettings> acceptedSettings() {
   std::vector<OitSettings> all;
   for (const Method& method : methods()) {
     // One digit an option, so that seven options need one loop.
-    for (unsigned code = 0; code < 2U * 2U * 3U * 2U * 2U * 2U; ++code) {
+    for (unsigned code = 0; code < 2U * 2U * 4U * 2U * 2U * 2U; ++code) {
       unsigned rest = code;
       const auto digit = [&](unsigned base) {
         const unsigned value = rest % base;
@@ -37,7 +37,7 @@ inline std::vector<passes::OitSettings> acceptedSettings() {
       s.method = method.id;
       s.tail = digit(2) == 0 ? Tail::None : Tail::Mean;
       s.fill = digit(2) == 1;
-      s.importance = static_cast<Predictor>(digit(3));
+      s.importance = static_cast<Predictor>(digit(4));
       s.cull = digit(2) == 0 ? Cull::None : Cull::Occupancy;
       s.fragmentBytes = digit(2) == 0 ? 16 : 8;
       s.count = digit(2) == 0 ? CountSource::Drawn : CountSource::Predicted;

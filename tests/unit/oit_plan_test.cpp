@@ -89,6 +89,60 @@ TEST(Methods, UnknownOnesNameTheNearest) {
   }
 }
 
+TEST(Methods, OneTakesImportanceFromANetwork) {
+  for (const Method& method : methods()) {
+    EXPECT_EQ(method.learnsImportance(), method.id == "kb-learned") << method.id;
+  }
+  const Method& learned = methodById("kb-learned");
+  const Method& variable = methodById("kb-variable");
+  EXPECT_EQ(learned.allocation, variable.allocation);
+  EXPECT_EQ(learned.insertion, variable.insertion);
+  EXPECT_FALSE(learned.exact);
+  EXPECT_TRUE(learned.counts() && learned.hasBudget() && learned.isKBuffer());
+  EXPECT_FALSE(learned.isRacy() || learned.grows());
+}
+
+/// What a plan says of networks, in the order of its functions.
+struct Said {
+  bool usesNetwork, learnsBids, gathersColors, mapsImportance, keepsFrontNormal, slices, findsRange,
+      auctions;
+  bool operator==(const Said&) const = default;
+};
+
+Said saidOf(const OitSettings& settings) {
+  OitPlan plan;
+  plan.method = &methodById(settings.method);
+  plan.options = settings;
+  return {plan.usesNetwork(),      plan.learnsBids(), plan.gathersColors(), plan.mapsImportance(),
+          plan.keepsFrontNormal(), plan.slices(),     plan.findsRange(),    plan.auctions()};
+}
+
+TEST(Plan, SaysWhatANetworkNeeds) {
+  const OitSettings learned{.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned};
+  //                       uses   bids   colours maps  front  slices range  auctions
+  EXPECT_EQ(saidOf({}), (Said{false, false, false, true, true, false, false, false}));
+  EXPECT_EQ(saidOf({.cull = Cull::Occupancy}),
+            (Said{false, false, false, true, true, false, true, false}));
+  EXPECT_EQ(saidOf({.importance = Predictor::Error}),
+            (Said{false, false, false, false, false, true, true, true}));
+  EXPECT_EQ(saidOf(learned), (Said{true, true, false, false, false, true, true, true}));
+  EXPECT_EQ(saidOf({.method = "kb-learned"}),
+            (Said{true, false, true, true, false, false, true, false}));
+  EXPECT_EQ(saidOf({.method = "kb-learned", .fill = true}),
+            (Said{true, false, true, true, false, false, true, true}));
+  for (const Method& method : methods()) {
+    if (method.allocation == Allocation::ImportanceMap) continue;
+    const Said said = saidOf({.method = std::string(method.id)});
+    EXPECT_EQ(said, (Said{false, false, false, false, false, false, false, false})) << method.id;
+  }
+  OitPlan plan;
+  plan.method = &methodById("kb-learned");
+  EXPECT_EQ(plan.networkModel(), NetworkModel::Thesis);
+  plan.method = &methodById("kb-variable");
+  plan.options = learned;
+  EXPECT_EQ(plan.networkModel(), NetworkModel::Learned);
+}
+
 TEST(Sync, AutoPrefersWhatTheMachineDoesItself) {
   gl::Capabilities machine;
   OrderedCheck ordered{.allowed = true, .passed = true, .reason = ""};

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "engine/core/error.h"
+#include "model_network.h"
 #include "oit_combinations.h"
 #include "passes/oit/bidding.h"
 #include "passes/oit/hand_out.h"
@@ -155,7 +156,7 @@ void addPlainTransparent(std::vector<Variant>& all) {
        {"oit/sync_check.vert", "oit/sync_check.frag", "oit/full_screen.vert", "oit/tile_depth.frag",
         "oit/routing_check.frag", "oit/routing_check.comp", "oit/routing_depth.frag",
         "oit/reserve.comp", "oit/histogram.comp", "oit/one_k.comp", "oit/weighted_resolve.comp",
-        "oit/predict.comp"}) {
+        "oit/predict.comp", "oit/extent.comp"}) {
     addCombinations(all, file, {}, {});
   }
   const Defines ids{{"POSITION_ONLY", "1"}, {"WITH_IDS", "1"}};
@@ -170,9 +171,28 @@ void addPlainTransparent(std::vector<Variant>& all) {
   addCombinations(all, "oit/cull_depth.frag", {}, {"RANGES"});
   addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
   addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
-  addCombinations(all, "oit/slices.frag", {}, {"SYNC_ORDERED", "LIT", "TEXTURED", "ENVIRONMENT"});
+  addCombinations(all, "oit/slices.frag", {},
+                  {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "ENVIRONMENT"});
+  addCombinations(all, "oit/count_colors.frag", {}, kShading);
   for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
     addCombinations(all, file, {}, kShading);
+  }
+}
+
+/// The passes around networks of importance, at every size of a tile; a small network stands for
+/// larger ones.
+void addNetworks(std::vector<Variant>& all) {
+  using passes::NetworkModel;
+  for (const int tile : {1, 2, 4}) {
+    addCombinations(all, "oit/network_importance.comp", {{"NETWORK_TILE", std::to_string(tile)}},
+                    {});
+    for (const NetworkModel model : {NetworkModel::Thesis, NetworkModel::Learned}) {
+      const Defines network = networkDefines(test::randomNetwork(model, {3, 2}, 1), model, tile);
+      addCombinations(all, "oit/network.comp", network, {});
+      if (tile > 1) continue;  // these look at single pixels
+      addCombinations(all, "oit/network.comp", together(network, {{"FEATURES_OUT", "1"}}), {});
+      addCombinations(all, "oit/network.comp", together(network, {{"PROBE", "1"}}), {});
+    }
   }
 }
 
@@ -214,11 +234,17 @@ std::vector<Variant> allVariants() {
   std::vector<Variant> plain;
   addOpaque(plain);
   addPlainTransparent(plain);
+  addNetworks(plain);
   VariantSet all;
   all.addAll(plain);
   for (const passes::OitSettings& settings : test::acceptedSettings()) {
     for (const passes::SyncMode sync : test::syncModesOf(passes::methodById(settings.method))) {
-      addPlanned(all, test::planOf(settings, sync));
+      passes::OitPlan plan = test::planOf(settings, sync);
+      for (const int tile : {1, 2, 4}) {
+        plan.importance.networkTile = tile;
+        addPlanned(all, plan);
+        if (!plan.usesNetwork()) break;
+      }
     }
   }
   return all.all();

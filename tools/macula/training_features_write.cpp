@@ -6,6 +6,7 @@
 
 #include "common.h"
 #include "engine/core/error.h"
+#include "engine/core/file.h"
 #include "engine/dataset/npz.h"
 #include "engine/experiment/tone_curve.h"
 #include "engine/measure/oracle.h"
@@ -92,8 +93,8 @@ class SceneViews {
     static_cast<void>(thesis_.render(camera, kCentre));
     static_cast<void>(learned_.render(camera, kCentre));
     const measure::FragmentImage image = passes::readFragments(exact_, opaque_);
-    const std::vector<float> thesis = passes::readFeatures(thesis_, machine_.programs);
-    const std::vector<float> learned = passes::readFeatures(learned_, machine_.programs);
+    const std::vector<float> thesis = passes::readFeatures(thesis_, opaque_, machine_.programs);
+    const std::vector<float> learned = passes::readFeatures(learned_, opaque_, machine_.programs);
     std::vector<measure::LayerChoice> optimal;
     std::vector<measure::LayerChoice> plain;
     std::vector<measure::LayerChoice> tail;
@@ -191,7 +192,6 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
   npz.add("view_fragments", {rows.viewFragments.size()}, rows.viewFragments);
   npz.add("view_pixels", {rows.viewPixels.size()}, rows.viewPixels);
   npz.add("view_covered", {rows.viewCovered.size()}, rows.viewCovered);
-  std::filesystem::create_directories(scene.file.parent_path());
   npz.write(scene.file);
 }
 
@@ -199,6 +199,8 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
 
 void writeFeatures(const FeaturesOptions& o) {
   const std::vector<FeaturesScene> scenes = scenesOf(o);
+  // Before minutes of rendering, not after.
+  for (const FeaturesScene& scene : scenes) makeOutputFolder(scene.file.parent_path());
   const window::HeadlessContext context(platformOf(o.platform));
   passes::Machine machine;
   nlohmann::ordered_json written = nlohmann::ordered_json::array();

@@ -8,6 +8,9 @@ import numpy as np
 
 FORMAT = "macula-features"
 VERSION = 1
+ARRAYS = {"view", "pixel", "fragments", "thesis", "learned", "optimal_k", "least_rmse_k",
+          "least_rmse_tail_k", "errors_begin", "errors", "errors_plain", "view_fragments",
+          "view_pixels", "view_covered"}
 
 
 class BadData(Exception):
@@ -21,16 +24,18 @@ class Scene:
         try:
             arrays = np.load(path)
             about = json.loads(bytes(arrays["about"]).decode())
+            self.arrays = {name: arrays[name] for name in arrays.files if name != "about"}
         except Exception as error:
             raise BadData(f"{path}: not a file of features ({error}); write it anew") from error
         if about.get("format") != FORMAT or about.get("version") != VERSION:
             raise BadData(f"{path}: not {FORMAT} version {VERSION}; write it anew")
+        if missing := sorted(ARRAYS - set(self.arrays)):
+            raise BadData(f"{path}: without {', '.join(missing)}; write it anew")
         self.path = path
         self.name = about["scene"]
         self.shares = about["shares"]
         self.thesis_features = about["thesis"]
         self.learned_features = about["learned"]
-        self.arrays = {name: arrays[name] for name in arrays.files if name != "about"}
 
     def __getitem__(self, name):
         return self.arrays[name]
@@ -43,10 +48,13 @@ class Split:
     """All scenes of a folder. They see the same features at the same budgets."""
 
     def __init__(self, folder):
+        self.folder = folder
         paths = sorted(pathlib.Path(folder).glob("*.npz"))
         if not paths:
             raise BadData(f"{folder}: no .npz files; write them with 'macula features'")
         self.scenes = [Scene(path) for path in paths]
+        if not len(self):
+            raise BadData(f"{folder}: no pixels; write them with a larger --sample")
         first = self.scenes[0]
         for scene in self.scenes[1:]:
             if (scene.shares, scene.thesis_features, scene.learned_features) != (

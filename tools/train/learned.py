@@ -10,6 +10,7 @@ import numpy as np
 import torch
 
 import curves
+import data
 
 MODEL = "macula"
 SLICES, PARTS = 8, 2  # LEARNED_SLICES, LEARNED_PARTS of shaders/shared/network.h
@@ -109,6 +110,8 @@ class Rows:
         self.starts = torch.tensor(np.concatenate(starts))
         self.true = torch.tensor(np.concatenate(errors))
         cumulated = np.cumsum(np.concatenate(weights))
+        if not len(cumulated):
+            raise data.BadData(f"{split.folder}: no pixel has two fragments; choose other scenes")
         self.cumulated = torch.tensor(cumulated / cumulated[-1])
 
     def draw(self, count, generator):

@@ -85,6 +85,8 @@ def main():
     if arguments.steps is None:
         arguments.steps = 8000 if arguments.model == "learned" else 6000
     torch.use_deterministic_algorithms(True)
+    for path in filter(None, (arguments.out, arguments.probes)):
+        weights.check_writable(path)  # before minutes of training, not after
     training = data.Split(arguments.data / "training")
     validation = data.Split(arguments.data / "validation")
     print(f"training: {len(training.scenes)} scenes, {len(training)} pixels; "
@@ -114,7 +116,6 @@ def main():
         for layer, (weight, bias) in zip(net.layers, layers):
             layer.weight.copy_(torch.tensor(weight))
             layer.bias.copy_(torch.tensor(bias))
-    arguments.out.parent.mkdir(parents=True, exist_ok=True)
     weights.write_network(arguments.out, model, features, outputs, net.mean.numpy(),
                           net.scale.numpy(), layers, activation, command_of(arguments),
                           data.hash_of(arguments.data))
@@ -133,5 +134,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except data.BadData as error:
+    except (data.BadData, OSError) as error:
         sys.exit(f"train: {error}")

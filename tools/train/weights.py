@@ -12,6 +12,14 @@ def _number(value):
     return repr(float(np.float32(value)))
 
 
+def check_writable(path):
+    """Makes the folder of a file; OSError where the file could not be written."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(f"{path}.part", "wb"):
+        pass
+    os.remove(f"{path}.part")
+
+
 def write_network(path, model, features, outputs, mean, scale, layers, output_activation, command,
                   data_hash, half=True):
     """Writes a network whole or not at all.

@@ -1,0 +1,131 @@
+// Networks that speak for tiles: what lies between them, how smooth it is, and whose tiles they
+// are.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+#include "engine/scene/procedural/recipes.h"
+#include "network_cases.h"
+#include "network_mirror.h"
+#include "slots.h"
+
+namespace macula::test {
+namespace {
+
+using frame::Resource;
+using passes::OitSettings;
+
+class NetworkTiles : public Networks {};
+
+/// Mean |difference of slots| of neighbours with as many fragments.
+double speckleOf(const Bench& bench, glm::ivec2 size) {
+  const std::vector<Given> given = givenBy(bench);
+  double sum = 0.0;
+  double pairs = 0.0;
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      const Given& own = given[static_cast<std::size_t>(y * size.x + x)];
+      for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+        const glm::ivec2 p = glm::ivec2(x, y) + step;
+        if (p.x >= size.x || p.y >= size.y || own.count == 0) continue;
+        const Given& other = given[static_cast<std::size_t>(p.y * size.x + p.x)];
+        if (other.count != own.count) continue;
+        sum += std::abs(static_cast<double>(own.slots) - static_cast<double>(other.slots));
+        pairs += 1.0;
+      }
+    }
+  }
+  EXPECT_GT(pairs, 500.0);
+  return sum / pairs;
+}
+
+TEST_F(NetworkTiles, SpeckleNoMoreWhereTheySpeakForTiles) {
+  const glm::ivec2 size(96, 96);
+  const scene::Scene scene = unlit(scene::makeMedley(0));
+  for (const OitSettings& way : ways(4.0)) {
+    // Unfilled budgets are divided with so little to spare that k hardly differs at all.
+    if (!way.fill) continue;
+    // Of several networks, because the budget's remainder falls here or there.
+    double speckle[2]{};
+    for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+      const OitSettings oit = random(way, seed);
+      for (const int tile : {1, 2}) {
+        Bench bench(scene, tiled(oit, tile), size, machine());
+        bench.draw();
+        speckle[tile - 1] += speckleOf(bench, size) / 6.0;
+      }
+    }
+    note(describe(way) + " tile 1", speckle[0]);
+    note(describe(way) + " tile 2", speckle[1]);
+    EXPECT_LE(speckle[1], speckle[0]) << describe(way);
+  }
+}
+
+TEST_F(NetworkTiles, AreReadBetweenTilesAsTheMirrorSays) {
+  // By hand: pixel 2 of tiles of 4 lies at 2.5 / 4 - 0.5 = 0.125 of the way to the next tile.
+  EXPECT_DOUBLE_EQ(outputBetween({1.0, 3.0}, {1.0, 1.0}, {2, 1}, 4, {2, 1}), 1.25);
+  EXPECT_DOUBLE_EQ(outputBetween({1.0, 3.0}, {1.0, 0.0}, {2, 1}, 4, {2, 1}), 1.0) << "empty";
+  EXPECT_DOUBLE_EQ(outputBetween({1.0, 3.0}, {1.0, 1.0}, {2, 1}, 4, {0, 0}), 1.0) << "the edge";
+  const scene::Scene scene = unlit(tangle(60, 3));
+  const glm::ivec2 size(45, 38);  // no multiple of a tile
+  for (const int tile : {1, 2, 4}) {
+    Bench bench(scene, tiled(random({.method = "kb-learned"}, 3), tile), size, machine());
+    bench.draw();
+    const glm::ivec2 tiles = (size + tile - 1) / tile;
+    const auto words = bench.words(Resource::NetworkOutput, 4);
+    ASSERT_EQ(words.size(), static_cast<std::size_t>(4 * tiles.x * tiles.y));
+    std::vector<double> said;
+    std::vector<double> covered;
+    for (std::size_t i = 0; i < words.size(); i += 4) {
+      said.push_back(static_cast<double>(glm::unpackHalf2x16(words[i]).x));
+      covered.push_back(static_cast<double>(glm::unpackHalf2x16(words[i + 3]).y));
+    }
+    const auto counts = bench.floats(Resource::FragmentCount, 1);
+    const auto importance = bench.words(Resource::Importance, 1);
+    std::size_t empty = 0;
+    for (int y = 0; y < size.y; ++y) {
+      for (int x = 0; x < size.x; ++x) {
+        const auto p = static_cast<std::size_t>(y * size.x + x);
+        if (counts[p] == 0.0F) {
+          ++empty;
+          ASSERT_EQ(importance[p], 0U);
+          continue;
+        }
+        const double expected =
+            tile == 1 ? said[p] : outputBetween(said, covered, tiles, tile, {x, y});
+        // A step of fixed point, and single precision.
+        ASSERT_NEAR(importance[p], 65536.0 * expected, 1.5) << x << "," << y << " tile " << tile;
+      }
+    }
+    EXPECT_GT(empty, 50U) << "some tiles are empty in part";
+  }
+}
+
+TEST_F(NetworkTiles, ForgetTilesOfFramesOfAnotherRate) {
+  const scene::Scene scene = unlit(tangle(240, 3));
+  for (const OitSettings& way : ways(2.0)) {
+    const OitSettings oit = random(way, 6);
+    for (const int tile : {1, 2, 4}) {
+      passes::RenderSettings settings = tiled(oit, tile);
+      settings.lod.transparency = true;
+      // Of 32 x 24 texels: the last ones lie beyond the middle of the last tile.
+      Bench used(scene, settings, {64, 48}, machine());
+      used.draw();  // at full rate
+      used.renderer.setLevers({.resize = 2.0F});
+      used.draw();
+      Bench fresh(scene, settings, {64, 48}, machine());
+      fresh.renderer.setLevers({.resize = 2.0F});
+      fresh.draw();
+      EXPECT_TRUE(fresh.renderer.plan().resized());
+      const std::string what = describe(oit) + " tile " + std::to_string(tile);
+      EXPECT_EQ(countUnlike(used.linear(), fresh.linear()), 0U) << what;
+      if (!fresh.renderer.plan().mapsImportance()) continue;
+      const auto importance = fresh.words(Resource::Importance, 1);
+      EXPECT_EQ(used.words(Resource::Importance, 1), importance) << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace macula::test
