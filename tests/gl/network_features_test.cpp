@@ -28,12 +28,12 @@ TEST(NetworkMirror, ThesisFeaturesAsByHand) {
                   {{5.0, {0.1, 0.2, 0.3, 0.4}}}};
   frame.behind.resize(3);
   const auto features = thesisFeatures(frame, 2);
-  // 3 fragments: shares 2/3 and 1/3 of them, times 3 pixels; 2 of 3 slots.
-  EXPECT_THAT(features[0], ElementsAre(DoubleNear(2.0, 1e-12), DoubleNear(2.0 / 3.0, 1e-12), 0.2,
-                                       0.4, 0.2, 0.5, 0.25, 0.25, 0.25, 0.5, 0.25, 0.0));
+  // 3 fragments: shares 2/3 and 1/3 of them, times 2 covered pixels; 2 of 3 slots.
+  EXPECT_THAT(features[0], ElementsAre(DoubleNear(4.0 / 3.0, 1e-12), DoubleNear(2.0 / 3.0, 1e-12),
+                                       0.2, 0.4, 0.2, 0.5, 0.25, 0.25, 0.25, 0.5, 0.25, 0.0));
   EXPECT_THAT(features[1], testing::Each(0.0));
-  EXPECT_THAT(features[2], ElementsAre(DoubleNear(1.0, 1e-12), DoubleNear(2.0 / 3.0, 1e-12), 0.5,
-                                       0.5, 0.2, 0.5, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3));
+  EXPECT_THAT(features[2], ElementsAre(DoubleNear(2.0 / 3.0, 1e-12), DoubleNear(2.0 / 3.0, 1e-12),
+                                       0.5, 0.5, 0.2, 0.5, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3));
 }
 
 TEST(NetworkMirror, LearnedFeaturesAsByHand) {
@@ -47,23 +47,29 @@ TEST(NetworkMirror, LearnedFeaturesAsByHand) {
   // Exact: (1/2, 1/4, 1/4). Both as one layer of their mean: 3/4 (1/2, 1/2, 0) + 1/4 (0, 0, 1) =
   // (0.375, 0.375, 0.25). Square roots: (0.70711, 0.5, 0.5) less (0.61237, 0.61237, 0.5).
   EXPECT_NEAR(x[1], 0.094734 * 0.094734 + 0.112372 * 0.112372, 1e-6);
-  for (std::size_t i = 2; i <= 4; ++i) EXPECT_NEAR(x[i], 0.0, 1e-12) << "nothing is mixed";
-  const std::array<double, 8> passesAndShares{0.5, 0.5, 0.5, 0.25, 0.5, 0.0, 0.0, 0.5};
-  const std::array<double, 4> thickness{1.0, 0.0, 0.0, 1.0};
-  EXPECT_TRUE(std::equal(passesAndShares.begin(), passesAndShares.end(), x.begin() + 5));
-  EXPECT_TRUE(std::equal(thickness.begin(), thickness.end(), x.begin() + 13));
-  const std::array<double, 15> colors{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
-  EXPECT_TRUE(std::equal(colors.begin(), colors.end(), x.begin() + 17));
+  for (std::size_t i = 2; i < kPasses; ++i) EXPECT_NEAR(x[i], 0.0, 1e-12) << "nothing is mixed";
+  for (std::size_t i = 0; i < LEARNED_SLICES; ++i) {
+    const bool first = i == 0;
+    const bool last = i == LEARNED_SLICES - 1;
+    EXPECT_EQ(x[kPasses + i], last ? 0.25 : 0.5) << i;
+    EXPECT_EQ(x[kShares + i], first || last ? 0.5 : 0.0) << i;
+    EXPECT_EQ(x[kThickness + i], first || last ? 1.0 : 0.0) << i;
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(x[kColors + 3 * i + c], (first && c == 0) || (last && c == 1) ? 1.0 : 0.0) << i;
+    }
+  }
+  EXPECT_EQ(x[kBehind + 2], 1.0);
 }
 
 TEST(NetworkMirror, SlicesAreThinnerTowardsTheEye) {
-  // Of the way from 1 m to 2 m, a quarter to the power of 0.65 is 0.4061: the second slice.
+  // Of the way from 1 m to 2 m, a quarter to the power of 0.65 is 0.4061: the fourth of eight
+  // slices.
   const MirrorSlices slices =
       slicesOf({{1.0, {0, 0, 0, 0.5}}, {1.25, {0, 0, 0, 0.75}}, {2.0, {0, 0, 0, 0.5}}}, false);
   EXPECT_EQ(slices.slices[0].tau, 1.0);
-  EXPECT_EQ(slices.slices[1].tau, 2.0);
-  EXPECT_EQ(slices.slices[3].fragments, 1.0);
-  EXPECT_NEAR(slices.nearestBoundary, 2.0 - 4.0 * 0.40613, 1e-4);
+  EXPECT_EQ(slices.slices[3].tau, 2.0);
+  EXPECT_EQ(slices.slices[7].fragments, 1.0);
+  EXPECT_NEAR(slices.nearestBoundary, 8.0 * 0.40613 - 3.0, 2e-4);
 }
 
 /// One view, drawn by all fragments, by none, and for a network.
@@ -194,13 +200,14 @@ TEST_F(Features, OfMaculaAsByHand) {
   // square roots (0.866025, 0.707107, 0.5) and (0.790569, 0.790569, 0.5).
   EXPECT_NEAR(x[1], 0.075456 * 0.075456 + 0.083462 * 0.083462, 1e-5);
   EXPECT_NEAR(x[2], 0.0, 1e-6);
-  EXPECT_NEAR(x[5], 0.5, 1e-6);
-  EXPECT_NEAR(x[8], 0.25, 1e-6);
-  EXPECT_NEAR(x[12], 0.5, 1e-6);
-  EXPECT_NEAR(x[13], 1.0, 1e-6);
-  EXPECT_NEAR(x[17], 1.0, 1e-6);
-  EXPECT_NEAR(x[17 + 3 * 3 + 1], 1.0, 1e-6);
-  for (std::size_t i = 29; i < 32; ++i) EXPECT_NEAR(x[i], 1.0, 2e-3) << "white";
+  constexpr std::size_t kLast = LEARNED_SLICES - 1;
+  EXPECT_NEAR(x[kPasses], 0.5, 1e-6);
+  EXPECT_NEAR(x[kPasses + kLast], 0.25, 1e-6);
+  EXPECT_NEAR(x[kShares + kLast], 0.5, 1e-6);
+  EXPECT_NEAR(x[kThickness], 1.0, 1e-6);
+  EXPECT_NEAR(x[kColors], 1.0, 1e-6);
+  EXPECT_NEAR(x[kColors + 3 * kLast + 1], 1.0, 1e-6);
+  for (std::size_t i = kBehind; i < x.size(); ++i) EXPECT_NEAR(x[i], 1.0, 2e-3) << "white";
 }
 
 TEST_F(Features, OfMaculaEqualTheMirrorWhereColoursAreKnown) {

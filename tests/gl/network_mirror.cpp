@@ -73,11 +73,13 @@ MirrorFrame frameOf(const Bench& exact, const Bench& opaque) {
 
 std::vector<std::array<double, 12>> thesisFeatures(const MirrorFrame& frame, std::uint64_t slots) {
   double fragments = 0.0;
+  double covered = 0.0;
   double nearest = frame.farPlane;
   double farthest = 0.0;
   for (const auto& pixel : frame.pixels) {
     if (pixel.empty()) continue;
     fragments += static_cast<double>(pixel.size());
+    covered += 1.0;
     nearest = std::min(nearest, pixel.front().distance);
     farthest = std::max(farthest, pixel.back().distance);
   }
@@ -89,7 +91,7 @@ std::vector<std::array<double, 12>> thesisFeatures(const MirrorFrame& frame, std
     glm::dvec3 sum(0.0);
     for (const MirrorFragment& fragment : pixel) sum += glm::dvec3(fragment.color);
     const glm::dvec4& front = pixel.front().color;
-    all[p] = {n / fragments * static_cast<double>(frame.pixels.size()),
+    all[p] = {n / fragments * covered,
               static_cast<double>(slots) / fragments,
               pixel.front().distance / frame.farPlane,
               pixel.back().distance / frame.farPlane,
@@ -115,10 +117,10 @@ MirrorSlices slicesOf(const std::vector<MirrorFragment>& fragments, bool fixedPo
   const double depth = fragments.back().distance - nearest;
   for (const MirrorFragment& fragment : fragments) {
     const double way = depth > 0.0 ? (fragment.distance - nearest) / depth : 0.0;
-    const double place = 4.0 * std::pow(way, LEARNED_SLICE_POWER);
-    const auto index = static_cast<std::size_t>(std::min(std::floor(place), 3.0));
+    const double place = LEARNED_SLICES * std::pow(way, LEARNED_SLICE_POWER);
+    const auto index = static_cast<std::size_t>(std::min(std::floor(place), LEARNED_SLICES - 1.0));
     // The nearest and the farthest stand at the ends for certain.
-    for (const double boundary : {1.0, 2.0, 3.0}) {
+    for (int boundary = 1; boundary < LEARNED_SLICES; ++boundary) {
       result.nearestBoundary = std::min(result.nearestBoundary, std::abs(place - boundary));
     }
     MirrorSlice& slice = result.slices[index];
@@ -132,7 +134,8 @@ MirrorSlices slicesOf(const std::vector<MirrorFragment>& fragments, bool fixedPo
   return result;
 }
 
-std::array<double, 32> plainLearnedFeatures(const MirrorSlices& of, glm::dvec3 behind) {
+std::array<double, LEARNED_FEATURES> plainLearnedFeatures(const MirrorSlices& of,
+                                                          glm::dvec3 behind) {
   MirrorSlice all;
   glm::dvec3 color(0.0);
   for (const MirrorSlice& slice : of.slices) {
@@ -144,7 +147,7 @@ std::array<double, 32> plainLearnedFeatures(const MirrorSlices& of, glm::dvec3 b
   }
   const double passes = std::exp2(-all.tau);
   const glm::dvec3 exact = shown(color + passes * behind);
-  std::array<double, 32> x{};
+  std::array<double, LEARNED_FEATURES> x{};
   x[0] = all.fragments;
   MirrorSlice kept;
   glm::dvec3 keptColor(0.0);
@@ -159,26 +162,26 @@ std::array<double, 32> plainLearnedFeatures(const MirrorSlices& of, glm::dvec3 b
     kept.tauColor += slice.tauColor;
     const glm::dvec3 own = meanOf(slice.tauColor, slice.tau);
     keptColor += (reaches - std::exp2(-kept.tau)) * own;
-    x[5 + i] = std::exp2(-kept.tau);
-    x[9 + i] = slice.fragments / all.fragments;
-    x[13 + i] = slice.tau / std::max(slice.fragments, 1.0);
+    x[kPasses + i] = std::exp2(-kept.tau);
+    x[kShares + i] = slice.fragments / all.fragments;
+    x[kThickness + i] = slice.tau / std::max(slice.fragments, 1.0);
     for (std::size_t c = 0; c < 3; ++c) {
-      x[17 + 3 * i + c] = squaredShown(own)[static_cast<int>(c)];
+      x[kColors + 3 * i + c] = squaredShown(own)[static_cast<int>(c)];
     }
   }
-  for (std::size_t c = 0; c < 3; ++c) x[29 + c] = squaredShown(behind)[static_cast<int>(c)];
+  for (std::size_t c = 0; c < 3; ++c) x[kBehind + c] = squaredShown(behind)[static_cast<int>(c)];
   return x;
 }
 
-std::array<double, 32> plainOf(const float* first) {
-  std::array<double, 32> x{};
+std::array<double, LEARNED_FEATURES> plainOf(const float* first) {
+  std::array<double, LEARNED_FEATURES> x{};
   std::copy_n(first, x.size(), x.begin());
   x[0] = std::exp2(x[0]);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < LEARNED_SLICES; ++i) {
     x[1 + i] = std::exp2(x[1 + i]) - LEARNED_LEAST_ERROR;
-    x[13 + i] = std::exp2(x[13 + i]) - LEARNED_LEAST_DEPTH;
+    x[kThickness + i] = std::exp2(x[kThickness + i]) - LEARNED_LEAST_DEPTH;
   }
-  for (std::size_t i = 17; i < x.size(); ++i) x[i] *= x[i];
+  for (std::size_t i = kColors; i < x.size(); ++i) x[i] *= x[i];
   return x;
 }
 
@@ -195,7 +198,7 @@ double outputBetween(const std::vector<double>& values, const std::vector<double
       if (dx >= 1.0 || dy >= 1.0) continue;
       const glm::ivec2 at = glm::clamp(glm::ivec2(x, y), glm::ivec2(0), tiles - 1);
       const auto i = static_cast<std::size_t>(at.y * tiles.x + at.x);
-      const double weight = (1.0 - dx) * (1.0 - dy) * covered[i];
+      const double weight = covered[i] > 0.0 ? (1.0 - dx) * (1.0 - dy) : 0.0;
       sum += weight * values[i];
       weights += weight;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gl_fixture.h"
+#include "shared/network.h"
 
 namespace macula::test {
 
@@ -40,22 +41,29 @@ struct MirrorSlice {
 };
 
 struct MirrorSlices {
-  std::array<MirrorSlice, 4> slices;
+  std::array<MirrorSlice, LEARNED_SLICES> slices;
   double nearestBoundary = 1.0;  ///< how close a fragment is to another slice, in slices
 };
 
 /// @param fixedPoint sums in steps of 1/1024, as the shader does
 [[nodiscard]] MirrorSlices slicesOf(const std::vector<MirrorFragment>& fragments, bool fixedPoint);
 
-/// The 32 features of Macula's own network of a covered pixel, before logarithms and square roots:
+// Where a group of Macula's features begins; the number of fragments and the errors stand before.
+inline constexpr std::size_t kPasses = 1 + LEARNED_SLICES;
+inline constexpr std::size_t kShares = kPasses + LEARNED_SLICES;
+inline constexpr std::size_t kThickness = kShares + LEARNED_SLICES;
+inline constexpr std::size_t kColors = kThickness + LEARNED_SLICES;
+inline constexpr std::size_t kBehind = kColors + 3 * LEARNED_SLICES;
+
+/// The features of Macula's own network of a covered pixel, before logarithms and square roots:
 /// squared errors, optical depths and colours as they are.
-[[nodiscard]] std::array<double, 32> plainLearnedFeatures(const MirrorSlices& slices,
-                                                          glm::dvec3 behind);
+[[nodiscard]] std::array<double, LEARNED_FEATURES> plainLearnedFeatures(const MirrorSlices& slices,
+                                                                        glm::dvec3 behind);
 
-/// The features that a shader computed, made plain in the same way. @param first of 32
-[[nodiscard]] std::array<double, 32> plainOf(const float* first);
+/// The features that a shader computed, made plain in the same way. @param first of them
+[[nodiscard]] std::array<double, LEARNED_FEATURES> plainOf(const float* first);
 
-/// Four outputs of a network between the middles of tiles, as lib/network_output.glsl says.
+/// An output of a network between the middles of tiles, as lib/network_output.glsl says.
 /// @param covered share of each tile that is covered · @param tiles wide and high
 [[nodiscard]] double outputBetween(const std::vector<double>& values,
                                    const std::vector<double>& covered, glm::ivec2 tiles, int tile,

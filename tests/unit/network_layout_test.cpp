@@ -59,14 +59,14 @@ TEST(NetworkModels, SeeTheFeaturesThatTheShadersAdd) {
   // The places that shaders/lib/learned_features.glsl writes to.
   EXPECT_EQ(learned[0], "log_fragments");
   EXPECT_EQ(learned[1], "log_error_0");
-  EXPECT_EQ(learned[5], "passes_0");
-  EXPECT_EQ(learned[9], "share_0");
-  EXPECT_EQ(learned[13], "log_thickness_0");
-  EXPECT_EQ(learned[17 + 3 * 2 + 1], "color_2_g");
-  EXPECT_EQ(learned[31], "behind_b");
+  EXPECT_EQ(learned[9], "passes_0");
+  EXPECT_EQ(learned[17], "share_0");
+  EXPECT_EQ(learned[25], "log_thickness_0");
+  EXPECT_EQ(learned[33 + 3 * 2 + 1], "color_2_g");
+  EXPECT_EQ(learned[59], "behind_b");
   EXPECT_EQ(outputsOf(NetworkModel::Learned),
-            (std::vector<std::string>{"layers_at_-3", "layers_at_-7", "layers_at_-11",
-                                      "layers_at_-15", "layers_at_-19", "layers_at_-23"}));
+            (std::vector<std::string>{"error_0", "error_1", "error_2", "error_3", "order_0",
+                                      "order_1", "order_2", "order_3"}));
 }
 
 TEST(NetworkModels, HaveFilesThatFitThem) {

@@ -131,22 +131,5 @@ TEST(Combinations, EveryMethodTakesItsDefaults) {
   }
 }
 
-TEST(Combinations, ThePredictorThatLearnedSeesItsOwnNumberOfSlices) {
-  const OitSettings learned{.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned};
-  EXPECT_NO_THROW(checkPredictor(learned, {}));
-  EXPECT_NO_THROW(checkPredictor(learned, {.slices = 4, .tile = 2, .networkTile = 4}));
-  for (const int slices : {3, 5}) {
-    try {
-      checkPredictor(learned, {.slices = slices});
-      ADD_FAILURE() << "accepted: " << slices << " slices";
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::StartsWith("importance.slices:"));
-      EXPECT_THAT(error.what(), testing::HasSubstr("sees 4 depth slices"));
-    }
-    EXPECT_NO_THROW(checkPredictor({.importance = Predictor::Error}, {.slices = slices}));
-    EXPECT_NO_THROW(checkPredictor({.method = "kb-learned"}, {.slices = slices}));
-  }
-}
-
 }  // namespace
 }  // namespace macula::passes
