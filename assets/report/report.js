@@ -227,9 +227,9 @@ function fillPassTimes(points, names) {
   figure.querySelector('figcaption').textContent = `Medians of the passes, ms (${view.time.name.replace(', ms', '')})`;
   const number = text => element('td', {class: 'number'}, text);
   figure.querySelector('thead').replaceChildren(element('tr', {}, element('th', {}, 'Variant'),
-    ...used.map(name => element('th', {class: 'number'}, name)), element('th', {class: 'number'}, 'median of the sum')));
+    ...['median of the sum', ...used].map(name => element('th', {class: 'number'}, name))));
   figure.querySelector('tbody').replaceChildren(...points.map(p => element('tr', {}, element('td', {}, titleOf(p)),
-    ...used.map(name => number(shown(at(p, 'ms', 'passes', name, 'median')))), number(shown(view.time.of(p))))));
+    number(shown(view.time.of(p))), ...used.map(name => number(shown(at(p, 'ms', 'passes', name, 'median')))))));
 }
 
 // Maps side by side, the exact picture first.
