@@ -45,7 +45,7 @@ struct OitSettings {
   int cullWords = 32;      ///< d of Vasilakis 2015: 32 d intervals a pixel
   int fragmentBytes = 16;  ///< of a stored fragment of a sorted k-buffer: 16 or 8
   CountSource count = CountSource::Drawn;
-  std::filesystem::path network;  ///< weights; empty: those that come with Macula
+  std::filesystem::path network = {};  ///< weights; empty: those that come with Macula
 };
 
 /// Settings of the importance map (Vasilakis 2017, Eq. 3-6) and of the predictors.
