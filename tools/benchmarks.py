@@ -105,6 +105,20 @@ def speed_table(points):
     return lines
 
 
+def path_table(points):
+    """What the points of a study do along the camera's path; nothing where none walked."""
+    walked = [p for p in points if (p.get("path") or {}).get("rmse") is not None]
+    if not walked:
+        return []
+    first = walked[0]["path"]
+    lines = ["", f"Along the camera's path, {first['frames']} frames of {first['fps']:g} a second:", "",
+             "| where | budget | method | flicker | RMSE |", "|---|---|---|---|---|"]
+    for point in walked:
+        lines.append(f"| {place(point)} | {point.get('budget') or '-'} | {point['label']} | "
+                     f"{point['path']['flicker']:.5f} | {point['path']['rmse']:.5f} |")
+    return lines
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         results = json.load(file)
@@ -130,7 +144,7 @@ def main():
         points = [p for p in results["points"] if p["study"] == study["id"]]
         if points:
             make = table if base_of(results, study["id"]) is None else speed_table
-            lines += ["", f"## {study['title']}", ""] + make(points)
+            lines += ["", f"## {study['title']}", ""] + make(points) + path_table(points)
     print("\n".join(lines))
 
 

@@ -1,11 +1,24 @@
 #!/usr/bin/env bash
+# Usage: demo.sh [--training]
 # Installs packages, builds, and runs the main job on the built-in gallery: a window where there is
 # a display, else a headless replay of the demo gaze log. Says where the report is.
 # The replay takes one frame every sixth of a second of the walk, 10 seconds in all.
+# --training: installs what tools/train needs as well.
 # MACULA_DEMO_FRAMES, MACULA_DEMO_SIZE: shorten the replay. MACULA_DEMO_HEADLESS=1: no window.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
+
+kinds=(build)
+for option in "$@"; do
+  case $option in
+    --training) kinds+=(train) ;;
+    *)
+      echo "demo: unknown option '$option'; the only one is --training" >&2
+      exit 2
+      ;;
+  esac
+done
 
 finish() {
   local status=$?
@@ -13,7 +26,7 @@ finish() {
 }
 trap finish EXIT
 
-tools/install_packages.sh build
+tools/install_packages.sh "${kinds[@]}"
 cmake --preset release -DMACULA_TESTS=OFF
 cmake --build --preset release
 macula=build/release/macula

@@ -11,6 +11,8 @@ const METRICS = [
   {id: 'flip', name: 'FLIP', of: p => at(p, 'error', 'flip')},
   {id: 'flip_gaze', name: 'FLIP around the gaze', of: p => at(p, 'error', 'flip_gaze')},
   {id: 'max', name: 'largest difference', of: p => at(p, 'error', 'max')},
+  {id: 'flicker', name: 'flicker along the path', of: p => at(p, 'path', 'flicker')},
+  {id: 'path_rmse', name: 'RMSE along the path', of: p => at(p, 'path', 'rmse')},
 ].filter(metric => data.points.some(p => metric.of(p) !== null) || metric.id === 'rmse');
 const TIMES = [
   {id: 'transparency', name: 'transparency, ms', of: p => at(p, 'ms', 'transparency', 'median')},
@@ -122,6 +124,9 @@ function numbersOf(point) {
   add('PSNR', at(point, 'error', 'psnr_db'), ' dB');
   add('FLIP', at(point, 'error', 'flip'));
   add('FLIP around the gaze', at(point, 'error', 'flip_gaze'));
+  add('flicker', at(point, 'path', 'flicker'));
+  add('RMSE along the path', at(point, 'path', 'rmse'));
+  if (at(point, 'path', 'reason') !== null) lines.push(`path refused: ${point.path.reason}`);
   if (at(point, 'fragments', 'loss') !== null) lines.push(`fragments lost ${percent(point.fragments.loss)}`);
   if (at(point, 'k', 'mean') !== null) lines.push(`k ${point.k.min} to ${point.k.max}, mean ${shown(point.k.mean)}`);
   return lines;
@@ -187,6 +192,7 @@ function drawCharts() {
   const fates = p => [p.fragments.stored, p.fragments.merged, p.fragments.lost].join();
   if (showWhereItVaries('loss', counted.length > 0 ? counted : [{}, {}], p => p.fragments ? fates(p) : 0)) drawLoss(counted);
   drawPasses(points.filter(p => p.ms));
+  fillMaps(points.filter(p => at(p, 'images', 'flip') !== null));
 }
 
 function drawLoss(points) {
@@ -210,6 +216,32 @@ function drawPasses(points) {
     parts: names.map(name => ({value: at(p, 'ms', 'passes', name, 'median') || 0, colour: colour(name),
       title: `${titleOf(p)}\n${name}: ${shown(at(p, 'ms', 'passes', name, 'median'))} ms`})),
   })), Math.max(...points.map(sum), 1e-9));
+  fillPassTimes(points, names);
+}
+
+// The bars' numbers; what no row has reached the clock's last digit in is left out.
+function fillPassTimes(points, names) {
+  const figure = document.getElementById('pass-times');
+  const used = names.filter(name => points.some(p => at(p, 'ms', 'passes', name, 'median') > 0));
+  figure.hidden = used.length === 0;
+  figure.querySelector('figcaption').textContent = `Medians of the passes, ms (${view.time.name.replace(', ms', '')})`;
+  const number = text => element('td', {class: 'number'}, text);
+  figure.querySelector('thead').replaceChildren(element('tr', {}, element('th', {}, 'Variant'),
+    ...['median of the sum', ...used].map(name => element('th', {class: 'number'}, name))));
+  figure.querySelector('tbody').replaceChildren(...points.map(p => element('tr', {}, element('td', {}, titleOf(p)),
+    number(shown(view.time.of(p))), ...used.map(name => number(shown(at(p, 'ms', 'passes', name, 'median')))))));
+}
+
+// Maps side by side, the exact picture first.
+function fillMaps(points) {
+  const figure = document.getElementById('maps');
+  figure.hidden = points.length === 0;
+  const tile = (file, text, open) => element('button', {type: 'button', on: {click: open}},
+    element('img', {src: data.pictures[file], alt: text, loading: 'lazy'}), element('span', {}, text));
+  figure.querySelector('.maps').replaceChildren(
+    ...points.slice(0, 1).map(p => tile(p.images.reference, 'exact', () => openViewer(p))),
+    ...points.map(p => tile(p.images.flip, `${titleOf(p)}: FLIP ${shown(at(p, 'error', 'flip'))}, RMSE ${shown(at(p, 'error', 'rmse'))}`,
+      () => openViewer(p))));
 }
 
 const COLUMNS = [
@@ -223,6 +255,7 @@ const COLUMNS = [
   ['RMSE', p => at(p, 'error', 'rmse'), true], ['PSNR dB', p => at(p, 'error', 'psnr_db'), true],
   ['Max', p => at(p, 'error', 'max'), true], ['FLIP', p => at(p, 'error', 'flip'), true],
   ['FLIP gaze', p => at(p, 'error', 'flip_gaze'), true],
+  ['Flicker', p => at(p, 'path', 'flicker'), true], ['RMSE path', p => at(p, 'path', 'rmse'), true],
   ['Shaded', p => at(p, 'shading', 'shaded_share'), true, true, percent],
   ['Holes', p => at(p, 'shading', 'holes_share'), true, true, percent],
   ['MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
@@ -280,6 +313,10 @@ function openViewer(point) {
   set('.difference', 'difference');
   viewer.querySelector('.pictures figcaption').textContent = images.difference
     ? `Difference from the exact picture, times ${data.difference_scale}` : 'No exact picture here';
+  const flip = viewer.querySelector('.flip');
+  flip.hidden = !images.flip;
+  flip.replaceChildren(...(images.flip ? [element('img', {src: data.pictures[images.flip], alt: 'FLIP map'}),
+    element('figcaption', {}, 'FLIP: black where nothing is seen, light yellow for the largest difference')] : []));
   viewer.querySelector('.files').replaceChildren('Full size: ', ...Object.entries(images).flatMap(([role, file], i) =>
     [...(i > 0 ? [', '] : []), element('a', {href: encodeURI(file)}, role)]));
   moveDivider(50);

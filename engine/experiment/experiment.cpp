@@ -31,6 +31,10 @@ std::string Variant::labelAt(const std::optional<double>& value) const {
   return sweep && value ? label + " " + sweep->label(*value) : label;
 }
 
+bool Study::isOptional(std::string_view scene) const {
+  return std::find(optionalScenes.begin(), optionalScenes.end(), scene) != optionalScenes.end();
+}
+
 bool Target::admits(double value) const {
   switch (bound) {
     case Bound::AtMost:
@@ -47,6 +51,7 @@ std::string Target::limitText() const {
   if (kind == Kind::Order) return "strictly falling";
   const char* sign = bound == Bound::AtMost ? "<=" : bound == Bound::AtLeast ? ">=" : ">";
   const std::string text = fmt::format("{} {:g}", sign, limit);
+  if (kind == Kind::Mean) return "mean " + text;
   if (kind != Kind::Curve) return text;
   return (statistic == Statistic::Least ? "least " : "mean ") + text;
 }

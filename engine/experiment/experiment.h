@@ -81,7 +81,8 @@ struct Size {
 struct Study {
   std::string id;
   std::string title;
-  std::vector<std::string> scenes;
+  std::vector<std::string> scenes;          ///< the optional ones last
+  std::vector<std::string> optionalScenes;  ///< of these, files that need not be there
   std::vector<Size> sizes;
   std::vector<std::int64_t> seeds;
   std::vector<std::string> lights;    ///< values of scene.lighting
@@ -95,11 +96,17 @@ struct Study {
   /// The variant that speed-ups are over; empty: none. It takes turns with every swept variant.
   std::string base;
   int frames = 9;  ///< measured rounds
+  /// Drawn along the camera's path after the measured rounds, without times; 0: none.
+  int pathFrames = 0;
+  double pathFps = 15.0;  ///< of these, frames a second
+  bool flipMaps = false;  ///< a FLIP map is kept beside every difference map
   /// Of the viewer who judges the images: for FLIP and its weights around the gaze.
   double pixelsPerDegree = measure::kDefaultPixelsPerDegree;
   /// Of all variants, in Experiment::document: the experiment's, then the study's.
   std::vector<const toml::table*> settings;
   std::string place;
+
+  [[nodiscard]] bool isOptional(std::string_view scene) const;
 };
 
 /// What the results are held against.
@@ -109,6 +116,7 @@ struct Target {
     Order,  ///< metric falls strictly along a list of variants
     Value,  ///< metric of one variant
     Curve,  ///< metric of one swept variant minus that of another at equal speed-up
+    Mean,   ///< the mean of a ratio over scenes
   };
   /// How a number is held against the limit.
   enum class Bound : std::uint8_t { AtMost, AtLeast, Above };
@@ -118,8 +126,8 @@ struct Target {
   std::string papers;  ///< what the papers say; may be empty
   Kind kind = Kind::Value;
   std::string metric;                ///< see metricOf()
-  std::string of;                    ///< variant (ratio, value, curve)
-  std::vector<std::string> against;  ///< variants (ratio, order), one (curve)
+  std::string of;                    ///< variant (all but order)
+  std::vector<std::string> against;  ///< variants (ratio, mean, order), one (curve)
   std::string againstMetric;         ///< that a ratio divides by; empty: metric
   std::optional<double> at;          ///< of a swept variant, only the point of this value
   std::optional<double> againstAt;   ///< the same of `against`; none: the value of `of`
@@ -135,6 +143,8 @@ struct Target {
 
   /// Whether a number is within the limit.
   [[nodiscard]] bool admits(double value) const;
+  /// Whether a metric of one variant is divided by that of others.
+  [[nodiscard]] bool divides() const { return kind == Kind::Ratio || kind == Kind::Mean; }
   [[nodiscard]] std::string limitText() const;
 };
 

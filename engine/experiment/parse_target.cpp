@@ -83,7 +83,7 @@ void readCurve(TableReader& reader, const Experiment& experiment, Target& target
 void readPoints(TableReader& reader, const Experiment& experiment, Target& target) {
   const bool order = target.kind == Kind::Order;
   readAt(reader, "at", experiment.variant(order ? target.against.front() : target.of), target.at);
-  if (target.kind != Kind::Ratio) return;
+  if (!target.divides()) return;
   const bool lead = experiment.variant(target.of).sweep.has_value();
   for (const std::string& id : target.against) {
     const Variant& variant = experiment.variant(id);
@@ -122,7 +122,7 @@ void readSubject(TableReader& reader, const Experiment& experiment, Target& targ
       requireKnown(id, variants, "variant", reader.place(key));
     }
   }
-  if (target.kind == Kind::Ratio) readMetric(reader, "against_metric", target.againstMetric);
+  if (target.divides()) readMetric(reader, "against_metric", target.againstMetric);
   if (target.kind == Kind::Value) reader.flag("unless_all_stored", target.unlessAllStored);
   if (target.kind == Kind::Curve) {
     readCurve(reader, experiment, target);
@@ -141,7 +141,7 @@ Target readTarget(const toml::table& table, const Experiment& experiment) {
   reader.text("papers", target.papers);
   std::size_t kind = 0;
   reader.require("kind");
-  reader.choice("kind", kind, {"ratio", "order", "value", "curve"});
+  reader.choice("kind", kind, {"ratio", "order", "value", "curve", "mean"});
   target.kind = static_cast<Kind>(kind);
   readSubject(reader, experiment, target);
   reader.texts("studies", target.studies);

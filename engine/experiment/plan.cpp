@@ -126,6 +126,12 @@ std::vector<Batch> batchesOf(const Experiment& experiment, const std::vector<std
   return all;
 }
 
+/// What of the frames along the camera's path decides a batch's numbers; oracles take no part.
+Json pathFacts(const Batch& batch, const Study& study) {
+  if (batch.oracles || study.pathFrames == 0) return nullptr;
+  return {{"frames", study.pathFrames}, {"fps", study.pathFps}};
+}
+
 void giveKeys(Batch& batch, const Experiment& experiment, const Study& study, const Group& group,
               const Json& facts) {
   Json members = Json::array();
@@ -146,6 +152,8 @@ void giveKeys(Batch& batch, const Experiment& experiment, const Study& study, co
                        {"study", study.id},
                        {"batch", members},
                        {"frames", batch.oracles ? 0 : study.frames},
+                       {"path", pathFacts(batch, study)},
+                       {"flip_maps", study.flipMaps},
                        {"scale", experiment.differenceScale},
                        {"index", i}});
     const Variant& variant = experiment.variants[point.variant];
@@ -172,7 +180,7 @@ std::vector<Group> expand(const Experiment& experiment, const Fingerprint& finge
   const auto add = [&](std::size_t index, const std::string& scene, const std::string& light,
                        Size size, std::int64_t seed) {
     const Study& study = experiment.studies[index];
-    Group group{index, scene, size, seed, light, {}, {}};
+    Group group{index, scene, size, seed, light, {}, {}, study.isOptional(scene)};
     const Json facts = groupFacts(group, study, fingerprint);
     group.stem = fmt::format("{}_{}x{}_{}_{}", plainName(std::filesystem::path(scene).stem()),
                              size.width, size.height, plainName(light), keyOf(facts).substr(0, 8));

@@ -50,6 +50,7 @@ struct Group {
   std::string light;
   std::string stem;  ///< of the reference's image file
   std::vector<Batch> batches;
+  bool optional = false;  ///< its scene is a file that need not be there
 
   /// "smoke 384x384", and what of seed and light is not the usual.
   [[nodiscard]] std::string label() const;

@@ -47,6 +47,8 @@ constexpr Metric kMetrics[] = {
     {"max", "/error/max"},
     {"flip", "/error/flip"},
     {"flip_gaze", "/error/flip_gaze"},
+    {"flicker", "/path/flicker"},
+    {"path_rmse", "/path/rmse"},
 };
 
 constexpr std::string_view kPassPrefix = "ms.passes.";

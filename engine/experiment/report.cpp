@@ -38,7 +38,9 @@ nlohmann::ordered_json toJson(const Results& results) {
                        {"gaze", study.gaze},
                        {"base", study.base.empty() ? Json(nullptr) : Json(study.base)},
                        {"pixels_per_degree", study.pixelsPerDegree},
-                       {"frames", study.frames}});
+                       {"frames", study.frames},
+                       {"path_frames", study.pathFrames},
+                       {"path_fps", study.pathFps}});
   }
   Json variants = Json::array();
   for (const Variant& variant : experiment.variants) {

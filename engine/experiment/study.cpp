@@ -14,6 +14,8 @@ namespace {
 constexpr int kMaxSide = 16384;  ///< as --size
 constexpr std::int64_t kMaxSeed = 2147483647;
 constexpr int kMaxFrames = 10000;
+constexpr double kLeastPathFps = 0.01;  ///< slower than this, frames have nothing in common
+constexpr double kMostPathFps = 1000.0;
 constexpr double kMostKAve = 4096.0;  ///< the ranges of oit.kAve and oit.memoryMiB
 constexpr double kMostMiB = 8192.0;
 constexpr double kLeastBudget = 1e-6;
@@ -185,6 +187,7 @@ void requireKnown(const std::string& name, const std::vector<std::string>& known
 
 void readStudyKeys(TableReader& reader, Study& study) {
   reader.texts("scenes", study.scenes);
+  reader.texts("optional_scenes", study.optionalScenes);
   std::vector<std::string> sizes;
   reader.texts("sizes", sizes);
   if (!sizes.empty()) study.sizes.clear();
@@ -197,6 +200,13 @@ void readStudyKeys(TableReader& reader, Study& study) {
   reader.text("gaze", study.gaze);
   reader.text("base", study.base);
   reader.integer("frames", study.frames, 1, kMaxFrames);
+  reader.integer("path_frames", study.pathFrames, 0, kMaxFrames);
+  if (study.pathFrames == 1) {
+    failInput("{}: path_frames: one frame has no change to the next; give 0 for none, or 2 or more",
+              reader.place("path_frames"));
+  }
+  reader.number("path_fps", study.pathFps, kLeastPathFps, kMostPathFps);
+  reader.flag("flip_maps", study.flipMaps);
   reader.number("pixels_per_degree", study.pixelsPerDegree, kLeastPixelsPerDegree,
                 kMostPixelsPerDegree);
   reader.textLists("compare", study.compare);
@@ -215,6 +225,7 @@ void completeStudy(Study& study, const std::vector<Variant>& variants) {
   if (study.variants.empty()) study.variants = known;
   for (const std::string& id : study.variants) requireKnown(id, known, "variant", study.place);
   requireUnique(study.variants, "variant", study.place);
+  study.scenes.insert(study.scenes.end(), study.optionalScenes.begin(), study.optionalScenes.end());
   if (study.scenes.empty()) {
     failInput("{}: no scenes; add scenes = [\"smoke\"]", study.place);
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/experiment/target_curve.h"
+#include "engine/experiment/target_mean.h"
 
 namespace macula::experiment {
 namespace {
@@ -44,6 +45,7 @@ class Judge {
     const std::string& lead =
         target_.kind == Target::Kind::Order ? target_.against.front() : target_.of;
     std::vector<TargetRow> all;
+    std::vector<ScenePart> parts;
     const Point* before = nullptr;
     for (const Point& point : points_) {
       if (textOf(point, "variant") != lead || !listed(target_.studies, textOf(point, "study")) ||
@@ -53,12 +55,17 @@ class Judge {
           (target_.at && sweepOf(point) != target_.at)) {
         continue;
       }
+      if (target_.kind == Target::Kind::Mean) {
+        parts.push_back({&point, rowOf(point)});
+        continue;
+      }
       // All points of a curve make one row.
       const bool sameCurve =
           target_.kind == Target::Kind::Curve && before != nullptr && sameGroup(*before, point);
       if (!sameCurve) all.push_back(rowOf(point));
       before = &point;
     }
+    if (target_.kind == Target::Kind::Mean) all = meansOverScenes(experiment_, target_, parts);
     if (all.empty()) {
       all.push_back({&target_,
                      "",
@@ -88,7 +95,7 @@ class Judge {
       row.note = missing(point, target_.of, target_.metric);
       return row;
     }
-    if (target_.kind == Target::Kind::Ratio) {
+    if (target_.divides()) {
       judgeRatio(point, *value, row);
     } else {
       judgeValue(point, *value, row);

@@ -77,6 +77,46 @@ statistic = "mean"
 limit = "> -1000"
 """
 
+MOVING = """title = "Moving"
+scenes = ["smoke", "layers-8"]
+optional_scenes = ["nowhere.glb", "neither.gltf"]
+sizes = ["64x64", "48x48"]
+frames = 1
+path_frames = 4
+path_fps = 10
+flip_maps = true
+budgets = [{ k_ave = 4 }]
+[[variant]]
+id = "exact"
+settings = { oit.method = "ab-sbuffer" }
+[[variant]]
+id = "limited"
+settings = { oit.method = "kb-fixed" }
+budgets = true
+[[variant]]
+id = "refused"
+settings = { oit.method = "kb-variable", oit.memoryMiB = 8000 }
+[[variant]]
+id = "best"
+oracle = "optimal-k"
+budgets = true
+[[target]]
+name = "motion is not free"
+kind = "value"
+metric = "flicker"
+of = "limited"
+scenes = ["smoke"]
+limit = "> 0"
+[[target]]
+name = "the path is about as far off as the still frame"
+kind = "mean"
+metric = "path_rmse"
+of = "limited"
+against = "limited"
+against_metric = "rmse"
+limit = "<= 2"
+"""
+
 # What a reader does with the report, all of it.
 USE = """<script>
 for (const select of document.querySelectorAll('#view select')) {
@@ -273,11 +313,85 @@ def check_sweep(folder):
         assert re.search(rf"<text[^>]*>{label}</text>", part), f"{label} stands at no point"
 
 
+def check_moving(folder):
+    """Frames along the camera's path, optional scenes, FLIP maps, means over scenes."""
+    done = chart(folder, MOVING)
+    for name in ("nowhere.glb", "neither.gltf"):
+        lines = [line for line in done.stdout.splitlines() if name in line]
+        assert lines == [f"skipped: {name}: optional, and not here"], done.stdout
+    made = results(folder)
+    assert [s["what"] for s in made["skipped"]] == ["nowhere.glb", "neither.gltf"], made["skipped"]
+    assert len(made["points"]) == 16, len(made["points"])
+    for point in made["points"]:
+        if point["status"] == "refused":
+            assert "path" not in point
+            continue
+        assert os.path.exists(os.path.join(folder, "out", point["images"]["flip"])), point["images"]
+        if point["status"] == "oracle":
+            assert "path" not in point, "oracles do not walk"
+            continue
+        path = point["path"]
+        assert (path["frames"], path["fps"]) == (4, 10), path
+        assert point["rounds"] == 1, "frames of the path are no rounds"
+        if point["variant"] == "exact":
+            assert path["flicker"] == 0 and path["rmse"] == 0, path
+        else:
+            # Layers are seen by a camera that stays.
+            assert (path["flicker"] > 0) == (point["scene"] == "smoke") and path["rmse"] > 0, path
+    moves, mean = made["targets"][:2], made["targets"][2:]
+    assert [t["state"] for t in moves] == ["met"] * 2, moves
+    assert [t["where"] for t in mean] == [
+        f"mean of 2 scenes, {size}, k_ave 4" for size in ("64x64", "48x48")], mean
+    ratios = [p["path"]["rmse"] / p["error"]["rmse"] for p in made["points"]
+              if p["variant"] == "limited" and p["width"] == 64]
+    assert abs(mean[0]["value"] - sum(ratios) / 2) < 1e-9, (mean[0], ratios)
+    with open(os.path.join(folder, "out", "results.csv"), encoding="utf-8", newline="") as f:
+        rows = list(csv.DictReader(f))
+    for row, point in zip(rows, made["points"], strict=True):
+        number = point.get("path", {}).get("flicker")
+        assert row["flicker"] == "" if number is None else float(row["flicker"]) == number, row
+    assert "16 points: 0 measured now, 16 kept" in chart(folder, MOVING).stdout
+    slower = chart(folder, MOVING.replace("path_fps = 10", "path_fps = 5")).stdout
+    assert "16 points: 12 measured now, 4 kept" in slower, slower  # oracles are kept
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is None:
+        return
+    dom = opened(browser, folder, os.path.join(folder, "out", "report.html"))
+    maps = dom[dom.index('id="maps"'):dom.index('id="table"')]
+    assert maps.count("<img") == 4, "the exact picture and three maps"
+    passes = dom[dom.index('id="pass-times"'):dom.index('id="maps"')]
+    assert "oit.capture" in passes and passes.count("<tr>") == 3, "a row for each that was timed"
+    assert ">Flicker<" in dom and dom.count("nowhere.glb: optional, and not here") == 1
+
+
+def check_learned(folder):
+    """The ready-made experiment of networks, cut down; the models are not beside this folder."""
+    with open(os.path.join(SOURCE, "assets", "experiments", "learned.toml"), encoding="utf-8") as f:
+        text = f.read()
+    for whole, less in ((r'"(512x512|1024x1024|384x384)"', '"48x48"'),
+                        (r'"smoke", "bottles", "hair", "greenhouse"', '"layers-12", "layers-20"'),
+                        (r"(?m)^frames = \d+", "frames = 1"), (r"path_frames = \d+", "path_frames = 2"),
+                        (r"\{ share = 0\.3 \}, \{ share = 0\.5 \}", "{ share = 0.3 }")):
+        text, count = re.subn(whole, less, text)
+        assert count > 0, f"learned.toml has no {whole} to cut down"
+    done = chart(folder, text)
+    assert "0 refused" in done.stdout, done.stdout
+    assert done.stdout.count("LittlestTokyo.glb: optional, and not here") == 1, done.stdout
+    made = results(folder)
+    learned = [p for p in made["points"] if "learned" in p["variant"]]
+    assert learned and all(p["error"]["rmse"] > 0 for p in learned)
+    for point in learned:
+        assert point["ms"]["passes"]["oit.network"]["median"] >= 0
+    walked = [p for p in made["points"] if p.get("path")]
+    assert {p["study"] for p in walked} == {"flicker"} and len(walked) == 12, len(walked)
+    assert all(t["state"] != "unmeasured" for t in made["targets"]), made["targets"]
+
+
 def check_interrupted(folder):
     """Killed in the middle: what was finished stays, the rest is measured by the next run."""
     scenes = ", ".join(f'"layers-{n}"' for n in range(2, 12))
     experiment = TINY.replace('"layers-16", "nowhere.glb"', scenes).replace("{ mib = 8000 }", "")
-    experiment = experiment.replace("frames = 2", "frames = 60")
+    experiment = experiment.replace("frames = 2", "frames = 60\npath_frames = 2")
     path = os.path.join(folder, "experiment.toml")
     with open(path, "w", encoding="utf-8") as f:
         f.write(experiment)
@@ -332,6 +446,8 @@ def check_refusals(folder):
     refuses(SWEPT.replace("oit.kAve = [8, 3]", "frame.seed = [8, 3]"), "decides what is loaded")
     refuses(TINY.replace("kb-variable\" }", "kb-variable\", frame.seed = 7 }"), "decides what is loaded")
     refuses(TINY.replace("frames = 2", "frame = 2"), "'frames'")
+    refuses(TINY.replace("frames = 2", "path_frames = 1"), "experiment.toml:4: ")
+    refuses(TINY.replace("frames = 2", "optional_scenes = [\"smoke\"]"), "name it under scenes")
     done = subprocess.run([MACULA, "chart", "quik", "--out", folder], capture_output=True, text=True)
     assert done.returncode == 2 and "did you mean 'quick'" in done.stderr, done.stderr
 
@@ -342,6 +458,10 @@ def main():
         seen = check_report(folder)
         with tempfile.TemporaryDirectory() as swept:
             check_sweep(swept)
+        with tempfile.TemporaryDirectory() as moving:
+            check_moving(moving)
+        with tempfile.TemporaryDirectory() as learned:
+            check_learned(learned)
         check_kept(folder)
         check_refusals(folder)
         check_oracles(folder)

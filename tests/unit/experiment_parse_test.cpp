@@ -74,6 +74,53 @@ limit = "<= 1.25"
   EXPECT_EQ(e.targets[0].limitText(), "<= 1.25");
 }
 
+TEST(ExperimentParse, FramesAlongThePathAreOffUntilAskedFor) {
+  const Study plain = parseExperiment(kSmall, "x.toml").studies[0];
+  EXPECT_EQ(plain.pathFrames, 0);
+  EXPECT_DOUBLE_EQ(plain.pathFps, 15.0);
+  EXPECT_FALSE(plain.flipMaps);
+  const std::string asked =
+      smallWith("sizes =",
+                "path_frames = 12\npath_fps = 30\nflip_maps = true\noptional_scenes = "
+                "[\"a.glb\"]\nsizes =");
+  const Study study = parseExperiment(asked, "x.toml").studies[0];
+  EXPECT_EQ(study.pathFrames, 12);
+  EXPECT_DOUBLE_EQ(study.pathFps, 30.0);
+  EXPECT_TRUE(study.flipMaps);
+}
+
+TEST(ExperimentParse, OptionalScenesStandBehindTheOthers) {
+  const std::string text =
+      smallWith("sizes =", "optional_scenes = [\"a.glb\", \"b.glb\"]\nsizes =") + R"(
+[[study]]
+id = "own"
+optional_scenes = ["c.glb"]
+[[study]]
+id = "inherits"
+[[target]]
+name = "t"
+kind = "mean"
+metric = "rmse"
+of = "limited"
+against = "exact"
+limit = "<= 0.68"
+scenes = ["smoke", "c.glb"]
+)";
+  const Experiment e = parseExperiment(text, "x.toml");
+  EXPECT_EQ(e.studies[0].scenes, (std::vector<std::string>{"smoke", "bottles", "c.glb"}));
+  EXPECT_EQ(e.studies[1].scenes, (std::vector<std::string>{"smoke", "bottles", "a.glb", "b.glb"}));
+  EXPECT_TRUE(e.studies[1].isOptional("b.glb"));
+  EXPECT_FALSE(e.studies[1].isOptional("smoke"));
+  EXPECT_EQ(e.targets[0].kind, Target::Kind::Mean);
+  EXPECT_EQ(e.targets[0].limitText(), "mean <= 0.68");
+}
+
+TEST(ExperimentParse, AStudyMayHaveNothingButOptionalScenes) {
+  const std::string text =
+      smallWith("scenes = [\"smoke\", \"bottles\"]", "optional_scenes = [\"a.glb\"]");
+  EXPECT_EQ(parseExperiment(text, "x.toml").studies[0].scenes, std::vector<std::string>{"a.glb"});
+}
+
 struct Fault {
   const char* part;
   const char* by;
@@ -112,6 +159,14 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"label = \"k-buffer\"", "oracle = \"optimal\"", "x.toml:12:", "optimal-k"},
         Fault{"label = \"k-buffer\"", "oracle = \"optimal-k\"", "x.toml:10:", "no settings"},
         Fault{"sizes =", "frames = 0\nsizes =", "x.toml:3:", "frames"},
+        Fault{"sizes =", "path_frames = 1\nsizes =", "x.toml:3:", "2 or more"},
+        Fault{"sizes =", "path_frames = -1\nsizes =", "x.toml:3:", "path_frames"},
+        Fault{"sizes =", "path_frames = 2.5\nsizes =", "x.toml:3:", "path_frames"},
+        Fault{"sizes =", "path_frame = 2\nsizes =", "x.toml:3:", "'path_frames'"},
+        Fault{"sizes =", "path_fps = 0\nsizes =", "x.toml:3:", "path_fps"},
+        Fault{"sizes =", "flip_maps = 1\nsizes =", "x.toml:3:", "true or false"},
+        Fault{"sizes =", "optional_scenes = \"a.glb\"\nsizes =", "x.toml:3:", "optional_scenes"},
+        Fault{"sizes =", "optional_scenes = [\"smoke\"]\nsizes =", "x.toml:1:", "twice"},
         Fault{"sizes =", "compare = [[\"exakt\"]]\nsizes =", "x.toml:1:", "exact"},
         Fault{"[[variant]]", "[[target]]\nname = \"t\"\n[[variant]]", "x.toml:6:", "kind"},
         Fault{"[[variant]]",
@@ -132,7 +187,7 @@ TEST(ExperimentParse, MorePointsThanAnybodyWaitsForAreRefused) {
 }
 
 TEST(ExperimentParse, ReadyMadeExperimentsAreWhole) {
-  for (const char* name : {"quick", "papers", "lod"}) {
+  for (const char* name : {"quick", "papers", "lod", "learned"}) {
     const std::string path =
         std::string(MACULA_SOURCE_DIR) + "/assets/experiments/" + name + ".toml";
     const Experiment e = parseExperiment(readTextFile(path), path);

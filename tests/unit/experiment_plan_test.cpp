@@ -59,6 +59,23 @@ TEST(ExperimentPlan, ABudgetMayBelongToAScene) {
   EXPECT_EQ(groups[1].batches[0].points.size(), 2U);
 }
 
+TEST(ExperimentPlan, OraclesDoNotWalk) {
+  const std::string best = "[[variant]]\nid = \"best\"\noracle = \"optimal-k\"\nbudgets = true\n";
+  const auto still = expandText(kSmall + best);
+  const auto moving = expandText(smallWith("sizes =", "path_frames = 2\nsizes =") + best);
+  ASSERT_TRUE(moving[0].batches[1].oracles);
+  EXPECT_EQ(moving[0].batches[1].points[0].key, still[0].batches[1].points[0].key);
+  EXPECT_NE(moving[0].batches[0].points[0].key, still[0].batches[0].points[0].key);
+}
+
+TEST(ExperimentPlan, GroupsOfOptionalScenesSaySo) {
+  const auto groups = expandText(smallWith("sizes =", "optional_scenes = [\"a.glb\"]\nsizes ="));
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_FALSE(groups[1].optional);
+  EXPECT_EQ(groups[2].scene, "a.glb");
+  EXPECT_TRUE(groups[2].optional);
+}
+
 TEST(ExperimentPlan, OraclesStandApart) {
   const auto groups =
       expandText(kSmall + "[[variant]]\nid = \"best\"\noracle = \"optimal-k\"\nbudgets = true\n");
@@ -86,12 +103,19 @@ TEST(ExperimentPlan, KeysHoldAllThatDecides) {
            {"sizes =", "frames = 3\nsizes ="},
            {"sizes =", "camera = \"scene\"\nsizes ="},
            {"sizes =", "seeds = [2]\nsizes ="},
+           {"sizes =", "path_frames = 2\nsizes ="},
+           {"sizes =", "flip_maps = true\nsizes ="},
            {"sizes =", "settings = { tonemap.exposure = 1 }\nsizes ="},
            {"{ oit.method = \"kb-variable\" }",
             "{ oit.method = \"kb-variable\", oit.fill = true }"},
            {"share = 0.3", "share = 0.4"}}) {
     EXPECT_FALSE(share(first, expandText(smallWith(part, by), {"commit a", {}}))) << by;
   }
+  // A rate of no frames decides nothing; of some, it does.
+  EXPECT_EQ(keysOf(first),
+            keysOf(expandText(smallWith("sizes =", "path_fps = 9\nsizes ="), {"commit a", {}})));
+  EXPECT_FALSE(share(expandText(smallWith("sizes =", "path_frames = 2\nsizes =")),
+                     expandText(smallWith("sizes =", "path_frames = 2\npath_fps = 9\nsizes ="))));
   const std::string relabelled = smallWith("k-buffer", "another label");
   EXPECT_EQ(keysOf(first), keysOf(expandText(relabelled, {"commit a", {}})));
   Fingerprint changed{"commit a", {{"smoke", "another file"}}};

@@ -16,6 +16,7 @@
 #include "engine/core/nearest.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
+#include "engine/settings/toml_file.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -47,22 +48,48 @@ std::string hashOf(std::string_view bytes) {
   return sha256Hex(std::as_bytes(std::span(bytes)));
 }
 
-/// The program itself, its shaders and where they run: numbers of another are not these numbers.
+/// The program itself, its shaders and networks, and where they run: numbers of another are not
+/// these numbers.
 std::string programFingerprint(const passes::Machine& machine) {
   std::string all = fmt::format("{} {} {} {} ", MACULA_COMMIT, machine.capabilities.renderer,
                                 machine.capabilities.version, std::thread::hardware_concurrency());
   all += hashOf(readTextFile(fs::read_symlink("/proc/self/exe")));
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(dataFolder("shaders"))) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  for (const fs::path& folder : {dataFolder("shaders"), dataFolder("assets") / "networks"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    }
   }
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) all += hashOf(readTextFile(file));
   return hashOf(all);
 }
 
+/// Hashes of the networks that settings name in place of those of assets/.
+std::string networksNamedBy(const Experiment& experiment) {
+  std::string hashes;
+  const auto add = [&](const VariantSettings& settings) {
+    const fs::path& network = settings.render.oit.network;
+    std::error_code error;
+    if (fs::is_regular_file(network, error)) hashes += " " + hashOf(readTextFile(network));
+  };
+  for (const Study& study : experiment.studies) {
+    VariantSettings shared;
+    for (const toml::table* layer : study.settings) {
+      settings::applyTable(shared.registry, *layer, experiment.name);
+    }
+    add(shared);
+  }
+  for (const Variant& variant : experiment.variants) {
+    VariantSettings own;
+    own.applyVariant(experiment, variant);
+    add(own);
+  }
+  return hashes;
+}
+
 Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& machine) {
-  Fingerprint fingerprint{programFingerprint(machine), {}};
+  Fingerprint fingerprint{programFingerprint(machine) + networksNamedBy(experiment), {}};
   std::error_code error;
   const auto add = [&](const std::string& name) {
     if (fs::is_regular_file(name, error)) fingerprint.files[name] = hashOf(readTextFile(name));
@@ -178,7 +205,7 @@ void addChart(CLI::App& root) {
   CLI::App* command = root.add_subcommand(
       "chart", "Runs an experiment: errors, times and bytes of variants, as table and report");
   command->add_option("experiment", options->experiment,
-                      "A TOML file, or quick, lod or papers (default quick)");
+                      "A TOML file, or quick, lod, papers or learned (default quick)");
   command
       ->add_option("--out", options->out,
                    "Folder for results.csv, results.json and report.html; finished points in "

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/experiment/picture.h"
+#include "engine/measure/error_maps.h"
 #include "engine/measure/image_error.h"
 
 namespace macula::tools {
@@ -41,6 +42,10 @@ void Contender::draw(bool measured) {
   }
   transparencyMs_.push_back(transparency);
   shadingMs_.push_back(shading);
+}
+
+void Contender::drawFrom(const scene::Camera& camera, glm::vec2 gaze, bool cut) {
+  result_ = renderer_.render(camera, gaze, cut);
 }
 
 image::Image8 Contender::shown() const {
@@ -149,7 +154,12 @@ void describeImage(Point& point, const image::Image8& shown, const image::ImageF
   measure::CompareOptions viewer;
   viewer.pixelsPerDegree = reference.pixelsPerDegree;
   viewer.gaze = reference.gaze;
-  point["error"] = measure::toJson(measure::compareImages(reference.display, display, viewer));
+  const measure::Comparison compared = measure::compareWithMap(reference.display, display, viewer);
+  point["error"] = measure::toJson(compared.error);
+  if (!reference.flipMaps || !compared.flipMap) return;
+  const std::string flip = "images/" + stem + "_flip.png";
+  image::writePng(folder / flip, measure::flipImage(*compared.flipMap));
+  point["images"]["flip"] = flip;
 }
 
 }  // namespace macula::tools

@@ -32,6 +32,7 @@ struct Reference {
   glm::dvec2 gaze{0.5};   ///< where the viewer looks, 0..1 from the top left
   double pixelsPerDegree = measure::kDefaultPixelsPerDegree;
   std::uint64_t generated = 0;
+  bool flipMaps = false;  ///< FLIP maps are written beside the difference maps
 };
 
 class Contender {
@@ -41,6 +42,10 @@ class Contender {
 
   /// @throws InputError where the machine refuses the buffers
   void draw(bool measured);
+  /// A frame beside those that count, on the history of the last one.
+  /// @param gaze 0..1 of the window @param cut the camera jumped
+  /// @throws InputError where the machine refuses the buffers
+  void drawFrom(const scene::Camera& camera, glm::vec2 gaze, bool cut);
 
   /// The images of the last frame.
   [[nodiscard]] image::Image8 shown() const;
@@ -71,7 +76,7 @@ class Contender {
   std::vector<PassSamples> passes_;
 };
 
-/// Adds errors against the reference to a point, writes image and difference map and names them.
+/// Adds errors against the reference to a point, writes image and error maps and names them.
 void describeImage(experiment::Point& point, const image::Image8& shown,
                    const image::ImageF& display, const Reference& reference, double scale,
                    const std::filesystem::path& folder, const std::string& stem);

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
 
 #include "chart_contender.h"
 #include "chart_oracle.h"
+#include "chart_path.h"
 #include "engine/core/error.h"
 #include "engine/gaze/source.h"
 
@@ -58,9 +60,9 @@ bool isFinished(const ChartRun& run, const Batch& batch) {
 }
 
 int stepsOf(const ChartRun& run, const Group& group, const Batch& batch) {
-  const int frames = run.experiment.studies[group.study].frames;
-  const int each = batch.oracles ? 1 : kWarmUpRounds + frames + 1;  // and one for its images
-  return each * static_cast<int>(batch.points.size());
+  const experiment::Study& study = run.experiment.studies[group.study];
+  const int each = batch.oracles ? 1 : kWarmUpRounds + study.frames + 1;  // and one for its images
+  return each * static_cast<int>(batch.points.size()) + (batch.oracles ? 0 : study.pathFrames);
 }
 
 /// A group whose scene is loaded.
@@ -73,7 +75,8 @@ class LoadedGroup {
         progress_(progress),
         loaded_(load()),
         gpu_(loaded_.scene, loaded_.environment ? &*loaded_.environment : nullptr),
-        stage_{run.machine, gpu_, parseCameraSpec(study_.camera, loaded_.scene).at(0.0),
+        camera_(parseCameraSpec(study_.camera, loaded_.scene)),
+        stage_{run.machine, gpu_, camera_.at(0.0),
                glm::vec2(gaze::parseGazeSpec(study_.gaze)->at(0.0).position),
                glm::ivec2(group.size.width, group.size.height)} {
     loaded_ = {};  // it is in GPU memory now
@@ -117,6 +120,7 @@ class LoadedGroup {
       reference_.file = "images/" + group_.stem + "_reference.png";
       reference_.gaze = stage_.gaze;
       reference_.pixelsPerDegree = study_.pixelsPerDegree;
+      reference_.flipMaps = study_.flipMaps;
       if (const auto& fragments = contender->result().fragments) {
         reference_.generated = fragments->generated;
       }
@@ -195,7 +199,27 @@ class LoadedGroup {
                                      : refusedPoint(batch, plan, refusals[i]));
       progress_.advance();
     }
+    walk(contenders, points);
     return points;
+  }
+
+  /// Along the camera's path, where the study asks for it.
+  void walk(std::span<const std::unique_ptr<Contender>> contenders, std::span<Point> points) {
+    if (study_.pathFrames == 0 || reference_.file.empty()) return;
+    const auto gaze = gaze::parseGazeSpec(study_.gaze);
+    std::string refusal;
+    bool exact = true;
+    attempt(refusal, [&] {
+      const auto reference = makeReference();
+      const PathTrack track{camera_, *gaze, study_.pathFrames, study_.pathFps};
+      exact = walkPath(track, *reference, contenders, points, [&] {
+        progress_.advance();
+        run_.interrupted = run_.interrupted || interruptAsked != 0;
+        return !run_.interrupted;
+      });
+    });
+    if (!exact) refusal = "ab-sbuffer was not exact here";
+    if (!refusal.empty()) run_.skipped.push_back({group_.label() + ", path", refusal});
   }
 
   Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
@@ -253,9 +277,22 @@ class LoadedGroup {
   ProgressBar& progress_;
   LoadedScene loaded_;
   scene::GpuScene gpu_;
+  scene::CameraPath camera_;
   Stage stage_;
   Reference reference_;
 };
+
+/// Notes why a group is left out; a file that need not be there once, whatever studies name it.
+void skip(ChartRun& run, const Group& group, const std::string& reason) {
+  std::error_code error;
+  if (!group.optional || std::filesystem::exists(group.scene, error)) {
+    run.skipped.push_back({group.label(), reason});
+    return;
+  }
+  const bool known = std::any_of(run.skipped.begin(), run.skipped.end(),
+                                 [&](const auto& other) { return other.what == group.scene; });
+  if (!known) run.skipped.push_back({group.scene, "optional, and not here"});
+}
 
 void runGroup(ChartRun& run, const Group& group, ProgressBar& progress) {
   std::vector<const Batch*> pending;
@@ -285,7 +322,7 @@ void runGroups(ChartRun& run, std::span<const Group> groups) {
   int steps = 0;
   for (const Group& group : groups) {
     if (const auto reason = reasonToSkip(group)) {
-      run.skipped.push_back({group.label(), *reason});
+      skip(run, group, *reason);
       continue;
     }
     usable.push_back(&group);

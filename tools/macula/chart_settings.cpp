@@ -22,6 +22,10 @@ bool decidesLoading(const std::string& key) {
 
 void checkScene(const std::string& scene, const experiment::Study& study) {
   if (isSceneFile(scene)) return;
+  if (study.isOptional(scene)) {
+    failInput("{}: optional_scenes: '{}' is no .gltf or .glb file; name it under scenes",
+              study.place, oneLine(scene));
+  }
   // Whether the number is one, loading tells.
   bool known = scene.starts_with("layers-") || scene.starts_with("medley-");
   for (const scene::RecipeInfo& recipe : scene::recipes()) known = known || recipe.name == scene;
