@@ -13,6 +13,8 @@ squared error of the image that its importance leads to: a batch is pixels of on
 that view's budget in proportion to what it says of them.
 """
 
+import copy
+
 import numpy as np
 import torch
 
@@ -26,6 +28,7 @@ ADAM_RATE = 0.002
 # More than this many times the mean number of layers saturates.
 LABEL_SCALE = 16.0
 FRAGMENTS_SHARE, RESERVED_SHARE = 0, 1  # places among the features
+DEPTHS, BLEND, NEAREST = slice(2, 6), slice(6, 9), slice(9, 12)
 # Pixels of a view in a batch that shares a budget: its sums are then right to some per cent.
 SHARED_BATCH = 2048
 
@@ -76,14 +79,16 @@ class Views:
                                        torch.tensor(scene["fragments"][rows].astype(np.float32)),
                                        torch.tensor(begin[rows]), errors))
 
-    def loss(self, net, view, share, generator=None):
+    def loss(self, net, view, share, generator, varied):
         """Squared error of a view under a budget over that of the same k everywhere."""
         features, counts, begin, errors = self.views[view]
-        if generator is not None and len(features) > SHARED_BATCH:
+        if len(features) > SHARED_BATCH:
             rows = torch.randperm(len(features), generator=generator)[:SHARED_BATCH]
             features, counts, begin = features[rows], counts[rows], begin[rows]
         x = features.clone()
         x[:, RESERVED_SHARE] = share
+        if varied:
+            _vary(x, generator)
         mean = share * counts.mean()
 
         def squares(k):
@@ -96,6 +101,16 @@ class Views:
 
         said = net(x)
         return squares(said / said.mean() * mean) / squares(mean.expand_as(said)).clamp(min=1e-3)
+
+
+def _vary(x, generator):
+    """The same pixels as of a scene of other colours and another extent, which need the same layers:
+    else a few scenes are learned by heart."""
+    order = torch.randperm(3, generator=generator)
+    x[:, BLEND] = x[:, BLEND][:, order]
+    x[:, NEAREST] = x[:, NEAREST][:, order]
+    scale = torch.exp2(2.0 * torch.rand(1, generator=generator) - 1.0)
+    x[:, DEPTHS] = x[:, DEPTHS] * scale + 0.3 * (torch.rand(1, generator=generator) - 0.5)
 
 
 class Net(torch.nn.Module):
@@ -144,12 +159,15 @@ def train(training, validation, label, steps, seed, say):
     losses_of = _image_losses if label == "error" else _label_losses
     step_loss, judged = losses_of(net, training, validation, rows, held, as_written, generator)
     losses = []
+    best = None
     for step in range(steps + 1):
         if step % max(steps // 20, 1) == 0 or step == steps:
             with torch.no_grad():
                 found = judged()
             losses.append(found[1])
             say(step, *found)
+            if losses[-1] == min(losses):
+                best = copy.deepcopy(net.state_dict())
         if step == steps:
             break
         loss = step_loss()
@@ -158,6 +176,9 @@ def train(training, validation, label, steps, seed, say):
         optimiser.step()
         if schedule:
             schedule.step()
+    if not as_written:  # the text stops at the end; else the weights that do best on other scenes
+        net.load_state_dict(best)
+        losses.append(min(losses))
     return net, losses
 
 
@@ -190,12 +211,12 @@ def _image_losses(net, training, validation, rows, held, as_written, generator):
     def step_loss():
         view = int(torch.randint(len(learned.views), (1,), generator=generator))
         share = learned.shares[int(torch.randint(len(learned.shares), (1,), generator=generator))]
-        return learned.loss(net, view, share, generator)
+        return learned.loss(net, view, share, generator, True)
 
     def judged():
         probe = torch.Generator().manual_seed(0)
         return [
-            float(np.mean([float(views.loss(net, view, share, probe))
+            float(np.mean([float(views.loss(net, view, share, probe, False))
                            for view in range(len(views.views)) for share in views.shares]))
             for views in (learned, kept)
         ]

@@ -34,7 +34,7 @@ def parse():
     parser.add_argument("--data", required=True, type=pathlib.Path, help="folder of macula features")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="file of weights")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--steps", type=int, help="default: 8000 (learned), 6000 (thesis)")
+    parser.add_argument("--steps", type=int, help="default: 4000 (learned), 2000 (thesis)")
     parser.add_argument("--hidden", type=int, nargs=2, default=(16, 16),
                         help="values of the hidden layers (learned), multiples of 4")
     parser.add_argument("--rate", type=float, default=5e-3, help="of learning, at its highest (learned)")
@@ -83,7 +83,7 @@ def main():
     arguments = parse()
     arguments.hidden = tuple(arguments.hidden)
     if arguments.steps is None:
-        arguments.steps = 8000 if arguments.model == "learned" else 6000
+        arguments.steps = 4000 if arguments.model == "learned" else 2000
     torch.use_deterministic_algorithms(True)
     for path in filter(None, (arguments.out, arguments.probes)):
         weights.check_writable(path)  # before minutes of training, not after
