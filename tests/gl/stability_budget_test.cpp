@@ -82,6 +82,8 @@ TEST_F(Promise, MoreBudgetThanFragmentsIsExact) {
   reference.draw();
   for (const OitSettings& oit : sortedCases(64.0)) {
     if (oit.sync != "spinlock" || oit.fragmentBytes != 16) continue;
+    // Not filled, slots follow importance alone, and a network may find none in a pixel.
+    if (oit.method == "kb-learned" && !oit.fill) continue;
     Bench bench(scene, settingsOf(oit), kSize, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_TRUE(result.exact) << describe(oit);

@@ -229,8 +229,8 @@ TEST(NetworkDefines, SayModelSizesAndTile) {
   EXPECT_EQ(defineOf(defines, "MODEL_LEARNED"), "(none)");
   const Network learned = test::randomNetwork(NetworkModel::Learned, {2}, 1);
   defines = networkDefines(learned, NetworkModel::Learned, 4);
-  EXPECT_EQ(defineOf(defines, "INPUTS"), "32");
-  EXPECT_EQ(defineOf(defines, "OUTPUTS"), "6");
+  EXPECT_EQ(defineOf(defines, "INPUTS"), "60");
+  EXPECT_EQ(defineOf(defines, "OUTPUTS"), "8");
   EXPECT_EQ(defineOf(defines, "MODEL_LEARNED"), "1");
   EXPECT_EQ(defineOf(defines, "MODEL_THESIS"), "(none)");
   EXPECT_EQ(defineOf(defines, "NETWORK_BODY").find('\n'), std::string::npos) << "one line";

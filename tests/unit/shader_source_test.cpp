@@ -117,6 +117,7 @@ void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});
   addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}}, {"SHADOW"});
   addCombinations(all, "scene.vert", {}, {});
+  addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}}, {"LIT", "ENVIRONMENT"});
   addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
   addCombinations(all, "shadow.frag", {}, {"MASK"});
   addCombinations(all, "lighting.comp", {}, {"LIT", "SHADOWS", "ENVIRONMENT"});
@@ -171,9 +172,10 @@ void addPlainTransparent(std::vector<Variant>& all) {
   addCombinations(all, "oit/cull_depth.frag", {}, {"RANGES"});
   addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
   addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
-  addCombinations(all, "oit/slices.frag", {},
+  addCombinations(all, "oit/slices.frag", {{"VERTEX_LIGHT", "1"}},
                   {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "ENVIRONMENT"});
-  addCombinations(all, "oit/count_colors.frag", {}, kShading);
+  addCombinations(all, "oit/count_colors.frag", {{"VERTEX_LIGHT", "1"}},
+                  {"LIT", "TEXTURED", "ENVIRONMENT"});
   for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
     addCombinations(all, file, {}, kShading);
   }
