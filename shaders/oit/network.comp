@@ -65,9 +65,7 @@ void main() {
   bool any = covered > 0.0;
   for (int i = 0; i < INPUTS; ++i) x[i] /= max(covered, 1.0);
   for (int i = 0; i < OUTPUTS; ++i) said[i] = 0.0;
-  // A loop of no or one round: a group of threads without anything to evaluate leaves it at once also
-  // where both sides of a branch are walked through.
-  for (int round = 0; round < int(any); ++round) evaluateNetwork(x, said);
+  if (any) evaluateNetwork(x, said);
   uvec4 words = encodeOutput(outputFrom(said));
   imageStore(tileOutput, ivec2(gl_GlobalInvocationID.xy), any ? words : uvec4(0u));
 #endif

@@ -1,5 +1,5 @@
 // Importance of each pixel as a network says it, and its sum. A thread walks a strip of pixels and
-// adds to the totals once.
+// adds to the totals once. FACTORS: also as a number, for heat maps.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -9,6 +9,9 @@ layout(local_size_x = STRIP_GROUP) in;
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(r32ui, binding = IMG_0) writeonly uniform uimage2D importance;
+#ifdef FACTORS
+layout(rgba16f, binding = IMG_1) writeonly uniform image2D factors;
+#endif
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 void main() {
@@ -26,6 +29,9 @@ void main() {
     ++covered;
     countMax = max(countMax, uint(count));
     imageStore(importance, p, uvec4(value));
+#ifdef FACTORS
+    imageStore(factors, p, vec4(0.0, 0.0, 0.0, said));
+#endif
   }
   if (covered == 0u) return;
   uint old = atomicAdd(totals.importanceLow, sum);

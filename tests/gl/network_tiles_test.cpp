@@ -1,8 +1,8 @@
 // Networks that speak for tiles: what lies between them, how smooth it is, and whose tiles they
 // are.
 #include <gmock/gmock.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
@@ -103,6 +103,20 @@ TEST_F(NetworkTiles, AreReadBetweenTilesAsTheMirrorSays) {
       }
     }
     EXPECT_GT(empty, 50U) << "some tiles are empty in part";
+  }
+}
+
+TEST_F(NetworkTiles, ShowTheirImportanceAsAHeatMap) {
+  passes::RenderSettings settings = tiled(random({.method = "kb-learned"}, 4), 2);
+  settings.heatmap.map = "importance";
+  const scene::Scene scene = unlit(tangle(60, 3));
+  Bench bench(scene, settings, {32, 24}, machine());
+  bench.draw();
+  const auto importance = bench.words(Resource::Importance, 1);
+  const auto factors = bench.floats(Resource::ImportanceFactors, 4);
+  for (std::size_t p = 0; p < importance.size(); ++p) {
+    // A half float.
+    EXPECT_NEAR(factors[4 * p + 3], importance[p] / 65536.0, 5e-4) << p;
   }
 }
 

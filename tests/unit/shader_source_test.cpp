@@ -187,7 +187,7 @@ void addNetworks(std::vector<Variant>& all) {
   using passes::NetworkModel;
   for (const int tile : {1, 2, 4}) {
     addCombinations(all, "oit/network_importance.comp", {{"NETWORK_TILE", std::to_string(tile)}},
-                    {});
+                    {"FACTORS"});
     for (const NetworkModel model : {NetworkModel::Thesis, NetworkModel::Learned}) {
       const Defines network = networkDefines(test::randomNetwork(model, {3, 2}, 1), model, tile);
       addCombinations(all, "oit/network.comp", network, {});
