@@ -15,7 +15,7 @@ namespace macula::passes {
 /// Which features a network sees and what it says.
 enum class NetworkModel {
   Thesis,   ///< Tsopouridis 2021, chapter 4: twelve features, importance in 0..1
-  Learned,  ///< Macula's own: depth slices, layers at some prices of a slot
+  Learned,  ///< Macula's own: depth slices, corrections of the error that they predict
 };
 
 /// What "model" says in a file of this kind.
@@ -28,9 +28,9 @@ enum class NetworkModel {
 [[nodiscard]] std::filesystem::path defaultNetworkFile(NetworkModel model);
 
 /// Reads a network of a model.
-/// @throws InputError naming the file where it is none, sees other features, says something else,
-/// or
-///         has layers that the shaders do not take
+/// @throws InputError naming the file where it is none, is of another model, sees other features,
+///         says something else, or has more weights than a shader should hold: a driver's compiler
+///         takes seconds for twice those of the thesis
 [[nodiscard]] network::Network readNetworkOf(NetworkModel model, const std::filesystem::path& file);
 
 /// The network as defines of shaders/oit/network.comp. @param tile pixels a side for which it is

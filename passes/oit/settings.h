@@ -18,7 +18,7 @@ enum class Predictor : std::uint8_t {
   Published,      ///< the importance map of Vasilakis 2017, Eq. 3-6
   Transmittance,  ///< layers until what is left weighs less than a threshold for the whole image
   Error,          ///< the layers that lower the predicted error of the image most
-  Learned,        ///< the layers that a network says for the price of a slot
+  Learned,        ///< the same, the prediction corrected by a network
 };
 
 enum class Cull : std::uint8_t {

@@ -25,7 +25,7 @@ SHARES = [0.1, 0.2, 0.3, 0.4, 0.5]
 SMALL = ("--size", "48x48", "--views", str(VIEWS))
 ARRAYS = {  # type and columns
     "view": ("<u2", ()), "pixel": ("<u4", ()), "fragments": ("<u4", ()),
-    "thesis": ("<f4", (12,)), "learned": ("<f4", (32,)),
+    "thesis": ("<f4", (12,)), "learned": ("<f4", (60,)),
     "optimal_k": ("<u2", (5,)), "least_rmse_k": ("<u2", (5,)), "least_rmse_tail_k": ("<u2", (5,))}
 
 
@@ -53,13 +53,14 @@ def check_shapes(scene, name, split):
     assert about["format"] == "macula-features" and about["version"] == 1
     assert (about["scene"], about["split"], about["views"]) == (name, split, VIEWS), about
     assert about["shares"] == SHARES and about["size"] == "48x48"
-    assert len(about["thesis"]) == 12 and len(about["learned"]) == 32
+    assert len(about["thesis"]) == 12 and len(about["learned"]) == 60
     rows = len(scene["pixel"])
     assert rows > 0
     for array, (kind, columns) in ARRAYS.items():
         assert scene[array].dtype.str == kind, (array, scene[array].dtype)
         assert scene[array].shape == (rows, *columns), (array, scene[array].shape)
-    assert set(scene) == {*ARRAYS, "about", "errors_begin", "errors", "view_fragments",
+    assert set(scene) == {*ARRAYS, "about", "errors_begin", "errors", "errors_plain",
+                          "view_fragments", "view_covered",
                           "view_pixels"}, set(scene)
     assert (scene["view_pixels"] == PIXELS).all() and len(scene["view_pixels"]) == VIEWS
     assert scene["view"].max() < VIEWS and scene["pixel"].max() < PIXELS
@@ -102,7 +103,7 @@ def check_features(scene):
         rows = scene["view"] == view
         thesis = scene["thesis"][rows]
         fragments = float(scene["view_fragments"][view])
-        share = scene["fragments"][rows] * PIXELS / fragments
+        share = scene["fragments"][rows] * float(scene["view_covered"][view]) / fragments
         assert numpy.allclose(thesis[:, 0], share, rtol=1e-5)
         assert numpy.allclose(thesis[:, 1], SHARES[0]), "the first budget's, for the trainer to change"
         near, far, scene_near, scene_far = thesis[:, 2], thesis[:, 3], thesis[:, 4], thesis[:, 5]
@@ -111,9 +112,9 @@ def check_features(scene):
         assert (scene["fragments"][rows] > 1).any() and (near < far).any()
         learned = scene["learned"][rows]
         assert numpy.allclose(learned[:, 0], numpy.log2(scene["fragments"][rows]), atol=1e-5)
-        assert numpy.allclose(learned[:, 9:13].sum(1), 1, atol=1e-5), "shares of slices"
-        assert (numpy.diff(learned[:, 5:9], axis=1) <= 1e-6).all(), "less and less passes"
-        assert (learned[:, 17:32] >= 0).all() and (learned[:, 17:32] <= 1).all(), "shown colours"
+        assert numpy.allclose(learned[:, 17:25].sum(1), 1, atol=1e-5), "shares of slices"
+        assert (numpy.diff(learned[:, 9:17], axis=1) <= 1e-6).all(), "less and less passes"
+        assert (learned[:, 33:60] >= 0).all() and (learned[:, 33:60] <= 1).all(), "shown colours"
     assert numpy.isfinite(scene["thesis"]).all() and numpy.isfinite(scene["learned"]).all()
 
 
@@ -123,9 +124,10 @@ def check_layers(scene):
     assert rows.sum() == PIXELS and (scene["fragments"] == 3).all()
     assert numpy.allclose(scene["thesis"][:, 0], 1)
     learned = scene["learned"][rows]
-    # 5.5 m is half of the way: 0.5^0.65 = 0.64, in the third of four slices.
-    assert numpy.allclose(learned[:, 9:13], [1 / 3, 0, 1 / 3, 1 / 3], atol=1e-5)
-    assert numpy.allclose(learned[:, 5:8], [2 / 3, 2 / 3, 1 / 3], atol=1e-3), "passes"
+    # 5.5 m is half of the way: 0.5^0.65 = 0.64, in the sixth of eight slices.
+    third = 1 / 3
+    assert numpy.allclose(learned[:, 17:25], [third, 0, 0, 0, 0, third, 0, third], atol=1e-5)
+    assert numpy.allclose(learned[:, 9:16], [2 * third] * 5 + [third] * 2, atol=1e-3), "passes"
 
 
 def check_content(folder):

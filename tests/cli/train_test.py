@@ -120,13 +120,13 @@ def check_refusals(folder):
     os.makedirs(os.path.join(folder, "empty", "training"))
     shutil.copytree(os.path.join(folder, "data"), os.path.join(folder, "nothing"))
     subprocess.run([MACULA, "features", "--size", "48x48", "--views", "1", "--sample", "0",
-                    "--validation", "medley-1", "--out", "nothing"], check=True, cwd=folder,
+                    "--validation", "medley-7", "--out", "nothing"], check=True, cwd=folder,
                    stdout=subprocess.DEVNULL)
     shutil.copytree(os.path.join(folder, "data"), os.path.join(folder, "single"))
     subprocess.run([MACULA, "features", "--size", "48x48", "--views", "1", "--sample", "1",
                     "--validation", "layers-1", "--out", "single"], check=True, cwd=folder,
                    stdout=subprocess.DEVNULL)
-    os.remove(os.path.join(folder, "single", "validation", "medley-1.npz"))
+    os.remove(os.path.join(folder, "single", "validation", "medley-7.npz"))
     file = os.path.join("training", "layers-3.npz")
     for data, words in (("nowhere", "nowhere/training: no .npz files"),
                         ("empty", "empty/training: no .npz files"),
@@ -149,7 +149,7 @@ def check_refusals(folder):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([MACULA, "features", "--size", "48x48", "--views", "2", "--sample", "1",
-                        "--training", "layers-3", "medley-0", "--validation", "medley-1", "--out",
+                        "--training", "layers-3", "medley-0", "--validation", "medley-7", "--out",
                         "data"], check=True, cwd=folder, stdout=subprocess.DEVNULL)
         check_model(folder, "thesis")
         check_model(folder, "learned")

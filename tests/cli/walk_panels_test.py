@@ -236,7 +236,7 @@ def test_files_and_keys():
     check(done.returncode == 0 and again["command_line"] == numbers["command_line"],
           "the command gives the same walk")
 
-    numbers, _ = walk("next", "1 press M\n", "--oit.fill", "on", "--method", "kb-variable")
+    numbers, _ = walk("next", "1 press M\n", "--oit.fill", "on", "--method", "kb-learned")
     check(numbers["method"] == "kb-plus", "M skips the methods that the options refuse")
     numbers, _ = walk("refused-set", "1 set oit.method=peel\n", "--oit.fill", "on")
     check(numbers["method"] == "kb-variable", "a method that is refused is taken back")
