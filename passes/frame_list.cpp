@@ -12,10 +12,12 @@
 #include "passes/lod/transparency_pass.h"
 #include "passes/oit/allocate_pass.h"
 #include "passes/oit/atomic_keys_pass.h"
+#include "passes/oit/bids_pass.h"
 #include "passes/oit/blend_pass.h"
 #include "passes/oit/capture_pass.h"
 #include "passes/oit/count_colors_pass.h"
 #include "passes/oit/count_pass.h"
+#include "passes/oit/covered_pass.h"
 #include "passes/oit/cull_depth_pass.h"
 #include "passes/oit/demand_pass.h"
 #include "passes/oit/extent_pass.h"
@@ -67,6 +69,7 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<ImportancePass>(plan));
   passes.push_back(std::make_unique<ExtentPass>(plan));
   passes.push_back(std::make_unique<SlicesPass>(plan));
+  passes.push_back(std::make_unique<CoveredPass>(plan));
   passes.push_back(std::make_unique<NetworkPass>(plan));
   passes.push_back(std::make_unique<NetworkImportancePass>(plan));
   passes.push_back(std::make_unique<ReservePass>(plan));
@@ -76,6 +79,7 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   for (int round = 0; round < PRICE_ROUNDS; ++round) {
     passes.push_back(std::make_unique<PricePass>(plan, round));
   }
+  passes.push_back(std::make_unique<BidsPass>(plan));
   passes.push_back(std::make_unique<DemandPass>(plan));
   passes.push_back(std::make_unique<PrefixPass>(plan, false));
   passes.push_back(std::make_unique<PrefixPass>(plan, true));

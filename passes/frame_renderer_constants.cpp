@@ -33,7 +33,7 @@ shader::FrameConstants FrameRenderer::constantsFor(glm::ivec2 samples) const {
   c.frame = glm::uvec4(inputs_.frameIndex, plan_.historyValid ? 1U : 0U, settings_.seed, 0U);
   c.oit = glm::uvec4(plan_.layers, plan_.slots, priceStride(plan_.size), plan_.options.cullWords);
   c.slices = glm::vec4(inputs_.view.camera.nearPlane, inputs_.view.camera.farPlane,
-                       plan_.importance.slices, plan_.importance.tile);
+                       plan_.importance.tile, 0.0F);
   describeLod(c);
   c.reprojection = lastViewProjection_ * inputs_.view.inverseViewProjection;
   return c;

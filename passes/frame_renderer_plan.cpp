@@ -161,6 +161,9 @@ void FrameRenderer::prepare() {
   resources_.setBufferBytes(
       Resource::SliceSums,
       area(tiles) * static_cast<std::size_t>(plan_.importance.slices) * kVectorBytes);
+  const int listed = plan_.listedTile();
+  resources_.setBufferBytes(Resource::CoveredTiles,
+                            area((size + listed - 1) / listed) * sizeof(std::uint32_t));
   resources_.setBufferBytes(Resource::StripSums, (area({(size.x + STRIP - 1) / STRIP, size.y}) +
                                                   static_cast<std::size_t>(size.y)) *
                                                      kVectorBytes);

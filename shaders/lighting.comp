@@ -9,7 +9,7 @@
 #include "shared/dispatch.h"
 #include "shared/lod_totals.h"
 #if defined(AT_TILES) || defined(AT_HOLES)
-layout(local_size_x = LOD_LIST_GROUP) in;
+layout(local_size_x = LIST_GROUP) in;
 #else
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 #endif
@@ -188,8 +188,8 @@ void shadePixel(ivec2 p, ivec2 texel) {
 
 void main() {
 #if defined(AT_TILES) || defined(AT_HOLES)
-  uint group = gl_WorkGroupID.y * LOD_ROW_GROUPS + gl_WorkGroupID.x;
-  uint entry = group * uint(LOD_LIST_GROUP) + gl_LocalInvocationIndex;
+  uint group = gl_WorkGroupID.y * ROW_GROUPS + gl_WorkGroupID.x;
+  uint entry = group * uint(LIST_GROUP) + gl_LocalInvocationIndex;
   ivec2 p, texel;
   if (entry < entries() && findPixel(entry, p, texel)) shadePixel(p, texel);
 #elif defined(AT_GRID)

@@ -2,11 +2,16 @@
 // that a fragment has the same depth wherever it is drawn.
 // SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
 // beside the position alone. LIT with VERTEX_LIGHT: the light that reaches the vertex on both of its
-// sides, in place of what light at a fragment needs; for predictions.
+// sides, in place of what light at a fragment needs; for predictions. Where no texture (TEXTURED)
+// changes them, the colours of both sides as they are lit.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 #if defined(LIT) && defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
+#include "lib/predicted_layer.glsl"
+#ifndef TEXTURED
+#define VERTEX_LAYER
+#endif
 #endif
 
 layout(location = ATTR_POSITION) in vec3 position;
@@ -27,6 +32,10 @@ layout(location = 0) uniform mat4 shadowViewProjection;
 
 invariant gl_Position;
 
+#ifdef VERTEX_LAYER
+layout(location = 3) out vec4 outFrontLayer;  // of the side that is wound counter-clockwise
+layout(location = 4) out vec4 outBackLayer;
+#else
 #if !defined(POSITION_ONLY) || defined(WITH_IDS)
 layout(location = 2) flat out uvec3 outIds;  // material, id of the first triangle, id step
 #endif
@@ -45,6 +54,15 @@ layout(location = 5) out vec4 outTangent;
 layout(location = 6) flat out float outMirror;
 #endif
 #endif
+#endif
+
+#if !defined(POSITION_ONLY) && !defined(UV_ONLY)
+/// Not of unit length.
+vec3 turnedNormal(Instance instance) {
+  return vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
+              dot(instance.normalRow2.xyz, normal));
+}
+#endif
 
 void main() {
   Instance instance = instances[instanceNumber];
@@ -56,6 +74,22 @@ void main() {
 #else
   gl_Position = frame.viewProjection * vec4(world, 1.0);
 #endif
+#if defined(LIT) && defined(VERTEX_LIGHT)
+  vec3 turned = turnedNormal(instance);
+  vec3 n = dot(turned, turned) > 0.0 ? normalize(turned) : vec3(0.0, 1.0, 0.0);
+  vec3 frontLight = ambientRadiance(n) + irradianceAt(world, n) / kPi;
+  vec3 backLight = ambientRadiance(-n) + irradianceAt(world, -n) / kPi;
+#endif
+#ifdef VERTEX_LAYER
+  // Single-sided runs show front faces only; for the others a mirroring transform swaps the sides.
+  MaterialData m = materials[instance.ids.x];
+  bool twoSided = (m.flags.x & MATERIAL_DOUBLE_SIDED) != 0u;
+  bool mirrors = twoSided && instance.normalRow0.w < 0.0;
+  vec4 front = predictedLayer(m, m.baseColor * color, frontLight);
+  vec4 back = twoSided ? predictedLayer(m, m.baseColor * color, backLight) : front;
+  outFrontLayer = mirrors ? back : front;
+  outBackLayer = mirrors ? front : back;
+#else
 #if !defined(POSITION_ONLY) || defined(WITH_IDS)
   outIds = instance.ids.xyz;
 #endif
@@ -63,19 +97,17 @@ void main() {
   outUv = vec4(uv0, uv1);
   outColor = color;
 #ifndef UV_ONLY
-  vec3 turned = vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
-                     dot(instance.normalRow2.xyz, normal));
 #if defined(LIT) && defined(VERTEX_LIGHT)
-  vec3 n = dot(turned, turned) > 0.0 ? normalize(turned) : vec3(0.0, 1.0, 0.0);
-  outFrontLight = ambientRadiance(n) + irradianceAt(world, n) / kPi;
-  outBackLight = ambientRadiance(-n) + irradianceAt(world, -n) / kPi;
+  outFrontLight = frontLight;
+  outBackLight = backLight;
 #else
   outPosition = world;
-  outNormal = turned;
+  outNormal = turnedNormal(instance);
   outTangent = vec4(dot(instance.modelRow0.xyz, tangent.xyz), dot(instance.modelRow1.xyz, tangent.xyz),
                     dot(instance.modelRow2.xyz, tangent.xyz), tangent.w);
 #endif
   outMirror = instance.normalRow0.w;
+#endif
 #endif
 #endif
 }

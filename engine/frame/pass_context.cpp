@@ -37,4 +37,9 @@ void PassContext::dispatch(glm::ivec2 threads, glm::ivec2 group) const {
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
 }
 
+void PassContext::dispatchIndirect(Resource buffer, GLintptr offset) const {
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resources_.buffer(buffer).id());
+  glDispatchComputeIndirect(offset);
+}
+
 }  // namespace macula::frame

@@ -43,6 +43,9 @@ class PassContext {
                    glm::ivec2 viewport) const;
   /// Dispatches enough groups of `group` threads to cover `threads`.
   void dispatch(glm::ivec2 threads, glm::ivec2 group) const;
+  /// Dispatches the groups that earlier passes asked for. @param offset bytes into the buffer, at
+  /// which their numbers in x, y and z stand
+  void dispatchIndirect(Resource buffer, GLintptr offset) const;
 
  private:
   const FrameInputs& inputs_;

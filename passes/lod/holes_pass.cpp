@@ -29,8 +29,9 @@ void LodHolesPass::execute(frame::PassContext& context) {
   context.bindImage(IMG_0, plan_.target(), GL_WRITE_ONLY);
   context.bindStorage(SSBO_LOD_HOLES, Resource::LodHoles);
   context.bindStorage(SSBO_LOD_TOTALS, Resource::LodTotals);
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, context.resources().buffer(Resource::LodTotals).id());
-  for (int i = 0; i < plan_.load; ++i) glDispatchComputeIndirect(dispatchOffset(LOD_RATES));
+  for (int i = 0; i < plan_.load; ++i) {
+    context.dispatchIndirect(Resource::LodTotals, dispatchOffset(LOD_RATES));
+  }
 }
 
 }  // namespace macula::passes

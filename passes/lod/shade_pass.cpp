@@ -38,10 +38,9 @@ void LodShadePass::execute(frame::PassContext& context) {
     }
     context.bindStorage(SSBO_LOD_TILES, Resource::LodTiles);
     context.bindStorage(SSBO_LOD_TOTALS, Resource::LodTotals);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, context.resources().buffer(Resource::LodTotals).id());
     for (int level = 0; level < LOD_RATES; ++level) {
       glUniform1i(0, level);
-      glDispatchComputeIndirect(dispatchOffset(level));
+      context.dispatchIndirect(Resource::LodTotals, dispatchOffset(level));
     }
   }
 }

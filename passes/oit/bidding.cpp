@@ -17,6 +17,11 @@ void declareBids(frame::PassDeclaration& d, const OitPlan& plan) {
   }
 }
 
+void addSliceDefines(gl::Defines& defines, const OitPlan& plan) {
+  defines.emplace_back("SLICES", std::to_string(plan.importance.slices));
+  defines.emplace_back("SLICE_TILE", std::to_string(plan.importance.tile));
+}
+
 gl::Defines bidDefines(const OitPlan& plan) {
   gl::Defines defines;
   if (plan.packed()) defines.emplace_back("PACKED", "1");
@@ -31,7 +36,7 @@ gl::Defines bidDefines(const OitPlan& plan) {
     defines.emplace_back("BID_LEARNED", "1");
     defines.emplace_back("NETWORK_TILE", std::to_string(plan.importance.networkTile));
   }
-  if (plan.slices()) defines.emplace_back("SLICES", std::to_string(plan.importance.slices));
+  if (plan.slices()) addSliceDefines(defines, plan);
   return defines;
 }
 

@@ -7,6 +7,8 @@ namespace macula::passes {
 
 void declareBids(frame::PassDeclaration& d, const OitPlan& plan);
 [[nodiscard]] gl::Defines bidDefines(const OitPlan& plan);
+/// Those of shaders/lib/slices.glsl.
+void addSliceDefines(gl::Defines& defines, const OitPlan& plan);
 void bindBids(const frame::PassContext& context, const OitPlan& plan);
 
 }  // namespace macula::passes

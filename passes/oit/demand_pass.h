@@ -15,6 +15,8 @@ class DemandPass final : public OitPass {
   [[nodiscard]] bool wanted() const override;
   void declareWork(frame::PassDeclaration& d) const override;
   void run(frame::PassContext& context) override;
+  /// A pass before this one has said what pixels take.
+  [[nodiscard]] bool bidsAreIn() const { return plan_.slices(); }
 
   GLuint program_ = 0;
 };

@@ -135,10 +135,11 @@ network::Network readNetworkOf(NetworkModel model, const std::filesystem::path& 
   return network;
 }
 
-gl::Defines networkDefines(const network::Network& network, NetworkModel model, int tile) {
+gl::Defines networkDefines(const network::Network& network, NetworkModel model, int sliceTile) {
   gl::Defines defines{{"INPUTS", std::to_string(network.features.size())},
                       {"OUTPUTS", std::to_string(network.outputs.size())},
-                      {"NETWORK_TILE", std::to_string(tile)},
+                      {"SLICES", std::to_string(LEARNED_SLICES)},
+                      {"SLICE_TILE", std::to_string(sliceTile)},
                       {"NETWORK_BODY", bodyOf(network)}};
   defines.emplace_back(model == NetworkModel::Thesis ? "MODEL_THESIS" : "MODEL_LEARNED", "1");
   return defines;

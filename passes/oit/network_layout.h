@@ -33,9 +33,9 @@ enum class NetworkModel {
 ///         takes seconds for twice those of the thesis
 [[nodiscard]] network::Network readNetworkOf(NetworkModel model, const std::filesystem::path& file);
 
-/// The network as defines of shaders/oit/network.comp. @param tile pixels a side for which it is
-/// evaluated once
+/// The network as defines of shaders/oit/network.comp. @param sliceTile samples a side that share
+/// depth slices
 [[nodiscard]] gl::Defines networkDefines(const network::Network& network, NetworkModel model,
-                                         int tile);
+                                         int sliceTile);
 
 }  // namespace macula::passes

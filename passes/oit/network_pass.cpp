@@ -1,5 +1,6 @@
 #include "passes/oit/network_pass.h"
 
+#include "passes/oit/covered_tiles.h"
 #include "passes/oit/network_inputs.h"
 #include "shared/bindings.h"
 
@@ -14,22 +15,21 @@ bool NetworkPass::wanted() const {
 
 void NetworkPass::declareWork(frame::PassDeclaration& d) const {
   declareNetworkInputs(d, plan_);
-  d.writes(Resource::NetworkOutput, Use::Image);
+  declareCoveredTiles(d);
+  d.modifies(Resource::NetworkOutput, Use::Image);  // 0 where nothing is transparent
 }
 
 void NetworkPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
-  program_ = programs.get(
-      {{"oit/network.comp"},
-       networkDefines(*plan_.network, plan_.networkModel(), plan_.importance.networkTile),
-       {}});
+  gl::Defines defines = networkDefines(*plan_.network, plan_.networkModel(), plan_.importance.tile);
+  defines.push_back(listedTileDefine(plan_));
+  program_ = programs.get({{"oit/network.comp"}, defines, {}});
 }
 
 void NetworkPass::run(frame::PassContext& context) {
   glUseProgram(program_);
   bindNetworkInputs(context, plan_);
   context.bindImage(IMG_0, Resource::NetworkOutput, GL_WRITE_ONLY);
-  const int tile = plan_.importance.networkTile;
-  context.dispatch((plan_.size + tile - 1) / tile, kFullScreenGroup);
+  dispatchCoveredTiles(context);
 }
 
 }  // namespace macula::passes

@@ -105,6 +105,11 @@ struct OitPlan {
     return method->allocation == Allocation::ImportanceMap &&
            options.importance != Predictor::Published;
   }
+  /// The tiles that transparency covers are listed, for passes whose work would be in vain
+  /// elsewhere.
+  [[nodiscard]] bool listsTiles() const { return usesNetwork() || slices(); }
+  /// Samples a side of a listed tile.
+  [[nodiscard]] int listedTile() const { return usesNetwork() ? importance.networkTile : 1; }
   /// Where slots are shared out by.
   [[nodiscard]] frame::Resource countResource() const {
     return predictsCounts() ? frame::Resource::PredictedCount : frame::Resource::FragmentCount;

@@ -11,9 +11,9 @@
 namespace macula::passes {
 namespace {
 
-GLuint programOf(const network::Network& network, NetworkModel model, const char* variant,
-                 gl::ProgramCache& programs) {
-  gl::Defines defines = networkDefines(network, model, 1);
+GLuint programOf(const network::Network& network, NetworkModel model, int sliceTile,
+                 const char* variant, gl::ProgramCache& programs) {
+  gl::Defines defines = networkDefines(network, model, sliceTile);
   defines.emplace_back(variant, "1");
   return programs.get({{"oit/network.comp"}, defines, {}});
 }
@@ -43,7 +43,8 @@ std::vector<float> readFeatures(FrameRenderer& renderer, const FrameRenderer& op
   const gl::Buffer values("features", row * height * sizeof(float));
   const frame::PassContext context = renderer.passContext();
   context.bindConstants(frame::Raster::Image);
-  glUseProgram(programOf(*plan.network, plan.networkModel(), "FEATURES_OUT", programs));
+  glUseProgram(programOf(*plan.network, plan.networkModel(), plan.importance.tile, "FEATURES_OUT",
+                         programs));
   bindNetworkInputs(context, plan);
   // By now transparency lies over the frame's own opaque image.
   if (plan.networkModel() == NetworkModel::Learned) glBindTextureUnit(TEX_INPUT1, behind.id());
@@ -72,9 +73,9 @@ std::vector<float> evaluateOnGpu(const network::Network& network, NetworkModel m
                 values.begin() + static_cast<std::ptrdiff_t>(i * (inputs + outputs)));
   }
   const gl::Buffer buffer("probes", values.size() * sizeof(float), values.data());
-  glUseProgram(programOf(network, model, "PROBE", programs));
+  glUseProgram(programOf(network, model, 1, "PROBE", programs));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_NETWORK_VALUES, buffer.id());
-  glDispatchCompute(static_cast<GLuint>((count + FULLSCREEN_GROUP - 1) / FULLSCREEN_GROUP), 1, 1);
+  glDispatchCompute(static_cast<GLuint>((count + LIST_GROUP - 1) / LIST_GROUP), 1, 1);
   values = download(buffer);
   std::vector<float> said;
   for (std::size_t i = 0; i < count; ++i) {

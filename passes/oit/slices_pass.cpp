@@ -1,6 +1,7 @@
 #include "passes/oit/slices_pass.h"
 
 #include "engine/gl/render_state.h"
+#include "passes/oit/bidding.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
@@ -21,6 +22,7 @@ void SlicesPass::declareWork(frame::PassDeclaration& d) const {
 
 void SlicesPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
   gl::Defines defines{{"VERTEX_LIGHT", "1"}};
+  addSliceDefines(defines, plan_);
   if (plan_.sync == SyncMode::Ordered) defines.emplace_back("SYNC_ORDERED", "1");
   if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
   if (plan_.usesNetwork()) defines.emplace_back("LEARNED", "1");

@@ -57,12 +57,6 @@ vec4 baseColorAt(MaterialData m) {
   return color;
 }
 
-/// glTF 2.0, section 3.9.4: OPAQUE ignores alpha, MASK cuts it.
-float alphaOf(MaterialData m, float alpha) {
-  if ((m.flags.x & MATERIAL_BLEND) != 0u) return alpha;
-  return (m.flags.x & MATERIAL_MASK) != 0u ? step(m.surface.w, alpha) : 1.0;
-}
-
 /// 1 where the front of the surface is seen, else -1. Single-sided runs show front faces only; for
 /// the others a mirroring transform swaps the sides.
 float facing(MaterialData m) {

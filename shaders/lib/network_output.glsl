@@ -1,11 +1,9 @@
 // What a network said of the pixels of a tile, up to eight values as half floats, all 0 where nothing
 // transparent covers it; and what lies between tiles.
-// NETWORK_TILE: pixels a side of a tile.
+// NETWORK_TILE: pixels a side of a tile, for who reads.
 #include "lib/frame.glsl"
 #include "lib/half.glsl"
 #include "shared/bindings.h"
-
-layout(binding = TEX_INPUT2) uniform usampler2D networkOutput;
 
 struct NetworkOutput {
   vec4 low;
@@ -16,6 +14,9 @@ uvec4 encodeOutput(NetworkOutput o) {
   return uvec4(packHalf2x16(o.low.xy), packHalf2x16(o.low.zw), packHalf2x16(o.high.xy),
                packHalf2x16(o.high.zw));
 }
+
+#ifdef NETWORK_TILE
+layout(binding = TEX_INPUT2) uniform usampler2D networkOutput;
 
 NetworkOutput outputOf(ivec2 tile) {
   uvec4 words = texelFetch(networkOutput, tile, 0);
@@ -49,3 +50,4 @@ NetworkOutput outputAt(ivec2 p) {
   return NetworkOutput(sum.low / max(weights, 1e-6), sum.high / max(weights, 1e-6));
 #endif
 }
+#endif

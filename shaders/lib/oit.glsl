@@ -62,6 +62,10 @@ bool hasTail(uint n, uint k) {
 #endif
 }
 
+/// Slots that a pixel takes at a high and at a low price, as one word.
+uint packTaken(vec2 taken) { return uint(taken.x) | max(uint(taken.x), uint(taken.y)) << 16; }
+uvec2 unpackTaken(uint word) { return uvec2(word & 0xFFFFu, word >> 16); }
+
 #ifdef RANGES
 PixelSlots slotsOf(uvec2 range) {
   return PixelSlots(range.x, range.y & ~RANGE_TAIL, (range.y & RANGE_TAIL) != 0u);

@@ -33,3 +33,9 @@ float pixelsPerSample() {
   ivec2 samples = (ivec2(frame.size.xy) + int(frame.oit.z) - 1) / int(frame.oit.z);
   return frame.size.x * frame.size.y / float(samples.x * samples.y);
 }
+
+/// A price a little above and one a little below the one found; the others are not used.
+vec4[1] finalPrices() {
+  PriceBounds bounds = priceBounds(PRICE_ROUNDS, frame.oit.y, pixelsPerSample());
+  return vec4[1](vec4(bounds.high + PRICE_MARGIN, bounds.low - PRICE_MARGIN, 0.0, 0.0));
+}

@@ -1,5 +1,7 @@
 // Depth slices: what a pixel's fragments come to in each interval of distance, summed in fixed point
 // so that their order changes nothing.
+// SLICES: how many. SLICE_TILE: samples a side that share them. Constants, for where integers are
+// divided in software they would cost as much as all else.
 #include "lib/frame.glsl"
 #include "shared/oit_constants.h"
 
@@ -26,7 +28,7 @@ Slice decodeSlice(uvec4 words) {
 
 /// First slice of the tile that holds a pixel.
 uint sliceBase(ivec2 p) {
-  int tile = int(frame.slices.w);
-  int tilesWide = (int(frame.size.x) + tile - 1) / tile;
-  return uint((p.y / tile) * tilesWide + p.x / tile) * uint(frame.slices.z);
+  uvec2 tile = uvec2(p) / uint(SLICE_TILE);
+  uint tilesWide = (uint(frame.size.x) + uint(SLICE_TILE) - 1u) / uint(SLICE_TILE);
+  return (tile.y * tilesWide + tile.x) * uint(SLICES);
 }

@@ -1,12 +1,11 @@
 // The twelve features of Tsopouridis 2021, section 4.2. Depths are distances along the view axis in
 // units of that of the far plane. The thesis adds "the RGB color" of fragments; here it is the
-// premultiplied one that is blended, so that clear layers count for less.
+// premultiplied one that is blended, so that clear layers count for less. Needs the buffer `totals`.
 #include "shared/network.h"
 
 layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
 layout(binding = TEX_INPUT3) uniform sampler2D colorSums;
 layout(binding = TEX_INPUT4) uniform sampler2D nearestColor;
-layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
 
 /// View distance of a reversed depth, as a share of the far plane's.
 float farShare(float depth) {

@@ -1,8 +1,15 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
 // LIT: the run's materials are lit. VERTEX_LIGHT: a cheap guess of both instead, for predictions,
-// with light from the vertices.
+// with light from the vertices, and without textures (TEXTURED) the whole layer from there.
 #include "lib/frame.glsl"
+#if defined(LIT) && defined(VERTEX_LIGHT) && !defined(TEXTURED)
+layout(location = 3) in vec4 inFrontLayer;
+layout(location = 4) in vec4 inBackLayer;
+
+vec4 approximateTransparent() { return gl_FrontFacing ? inFrontLayer : inBackLayer; }
+#else
 #include "lib/material.glsl"
+#include "lib/predicted_layer.glsl"
 #if defined(LIT) && !defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
 #endif
@@ -36,22 +43,13 @@ vec4 shadeTransparent() {
 #endif
 
 #ifdef VERTEX_LIGHT
-/// The same without shadows, highlights, reflections and normal maps: enough to tell how colours
-/// differ.
 vec4 approximateTransparent() {
 #ifdef LIT
   MaterialData m = materials[inIds.x];
-  vec4 base = baseColorAt(m);
-  vec3 light = facing(m) > 0.0 ? inFrontLight : inBackLight;
-  float alpha = alphaOf(m, base.a);
-  float transmission = m.transmission.w;
-  vec3 tint = base.rgb * m.transmission.rgb;
-  float least = min(tint.r, min(tint.g, tint.b));
-  vec3 color = base.rgb * (1.0 - m.surface.x) * light * (1.0 - transmission) + m.emissive.rgb +
-               transmission * (tint - least) * light;
-  return vec4(color, 1.0 - transmission * least) * alpha;
+  return predictedLayer(m, baseColorAt(m), facing(m) > 0.0 ? inFrontLight : inBackLight);
 #else
   return shadeTransparent();
 #endif
 }
+#endif
 #endif

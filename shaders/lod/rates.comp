@@ -26,7 +26,7 @@ float allowedPitch(vec2 place) {
   return radians(mar) * frame.resize.z / frame.acuity.z;
 }
 
-#include "lib/lod_dispatch.glsl"
+#include "lib/list_dispatch.glsl"
 
 int levelOf(ivec2 tile) {
   vec2 low = vec2(tile * LOD_TILE) * frame.resize.x;
@@ -53,7 +53,7 @@ void main() {
   uint entry = atomicAdd(totals.dispatches[level].w, 1u);
   tiles[uint(level * frame.lodSize.z * frame.lodSize.w) + entry] = number;
   int side = LOD_TILE >> level;
-  uint groups = ((entry + 1u) * uint(side * side) + uint(LOD_LIST_GROUP) - 1u) / uint(LOD_LIST_GROUP);
+  uint groups = ((entry + 1u) * uint(side * side) + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP);
   growDispatch(level, groups);
   ivec2 inside = min(frame.lodSize.xy - tile * LOD_TILE, ivec2(LOD_TILE));
   ivec2 cells = (inside + (1 << level) - 1) >> level;

@@ -29,7 +29,7 @@ layout(rgba16f, binding = IMG_0) writeonly uniform image2D target;
 #ifdef SHADE_HOLES
 layout(std430, binding = SSBO_LOD_TOTALS) buffer Totals { LodTotals totals; };
 layout(std430, binding = SSBO_LOD_HOLES) writeonly buffer Holes { uint holes[]; };
-#include "lib/lod_dispatch.glsl"
+#include "lib/list_dispatch.glsl"
 #endif
 #ifdef YANG2008
 layout(location = 0) uniform vec2 sigma;  // of normals over their z; of depth, share of the pixel's
@@ -160,7 +160,7 @@ void main() {
   // Holes are few: an addition each costs less than the barriers of a sum over the group.
   if (!fits) {
     uint place = atomicAdd(totals.dispatches[LOD_RATES].w, 1u);
-    growDispatch(LOD_RATES, place / uint(LOD_LIST_GROUP) + 1u);
+    growDispatch(LOD_RATES, place / uint(LIST_GROUP) + 1u);
     holes[place] = uint(p.x) | uint(p.y) << 16;
   }
 #endif

@@ -1,8 +1,13 @@
-// A network of importance, evaluated once a tile from the mean of the features of its covered pixels.
+// A network of importance, evaluated once for each covered tile from the mean of the features of its
+// covered pixels.
 // MODEL_THESIS, MODEL_LEARNED: which features. FEATURES_OUT: write each pixel's features instead of
 // evaluating. PROBE: evaluate given features, for the check against the program that trained it.
 #include "shared/dispatch.h"
+#ifdef FEATURES_OUT
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
+#else
+layout(local_size_x = LIST_GROUP) in;
+#endif
 
 #include "shared/network.h"
 #include "lib/frame.glsl"
@@ -11,6 +16,7 @@ layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 #include "lib/network_output.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
+layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
 #ifdef MODEL_THESIS
 #include "lib/thesis_features.glsl"
 #else
@@ -21,6 +27,7 @@ layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(std430, binding = SSBO_NETWORK_VALUES) buffer Values { float values[]; };
 #else
 layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
+#include "lib/covered_tile.glsl"
 #endif
 
 NetworkOutput outputFrom(float said[OUTPUTS]) {
@@ -35,39 +42,38 @@ NetworkOutput outputFrom(float said[OUTPUTS]) {
 
 void main() {
   float x[INPUTS];
-  float said[OUTPUTS];
   for (int i = 0; i < INPUTS; ++i) x[i] = 0.0;
 #ifdef PROBE
-  uint probe = gl_GlobalInvocationID.x;
-  uint at = probe * uint(INPUTS + OUTPUTS);
-  if (gl_GlobalInvocationID.y > 0u || at + uint(INPUTS + OUTPUTS) > uint(values.length())) return;
+  float said[OUTPUTS];
+  uint at = gl_GlobalInvocationID.x * uint(INPUTS + OUTPUTS);
+  if (at + uint(INPUTS + OUTPUTS) > uint(values.length())) return;
   for (int i = 0; i < INPUTS; ++i) x[i] = values[at + uint(i)];
   evaluateNetwork(x, said);
   for (int i = 0; i < OUTPUTS; ++i) values[at + uint(INPUTS + i)] = said[i];
-#else
+#elif defined(FEATURES_OUT)
+  ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = ivec2(frame.size.xy);
-  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * NETWORK_TILE;
-  if (any(greaterThanEqual(first, size))) return;
+  if (any(greaterThanEqual(p, size))) return;
+  float n = texelFetch(fragmentCount, p, 0).r;
+  if (n > 0.0) addFeatures(p, n, x);
+  uint at = uint(p.y * size.x + p.x) * uint(INPUTS);
+  for (int i = 0; i < INPUTS; ++i) values[at + uint(i)] = x[i];
+#else
+  float said[OUTPUTS];
+  ivec2 tile;
+  if (!findCoveredTile(tile)) return;
   float covered = 0.0;
-  for (int i = 0; i < NETWORK_TILE * NETWORK_TILE; ++i) {
-    ivec2 p = first + ivec2(i % NETWORK_TILE, i / NETWORK_TILE);
-    if (any(greaterThanEqual(p, size))) continue;
+  for (int i = 0; i < LISTED_TILE * LISTED_TILE; ++i) {
+    ivec2 p = tile * LISTED_TILE + ivec2(i % LISTED_TILE, i / LISTED_TILE);
+    if (any(greaterThanEqual(p, ivec2(frame.size.xy)))) continue;
     float n = texelFetch(fragmentCount, p, 0).r;
     if (n > 0.0) {
       addFeatures(p, n, x);
       covered += 1.0;
     }
   }
-#ifdef FEATURES_OUT
-  uint at = uint(first.y * size.x + first.x) * uint(INPUTS);
-  for (int i = 0; i < INPUTS; ++i) values[at + uint(i)] = x[i];
-#else
-  bool any = covered > 0.0;
-  for (int i = 0; i < INPUTS; ++i) x[i] /= max(covered, 1.0);
-  for (int i = 0; i < OUTPUTS; ++i) said[i] = 0.0;
-  if (any) evaluateNetwork(x, said);
-  uvec4 words = encodeOutput(outputFrom(said));
-  imageStore(tileOutput, ivec2(gl_GlobalInvocationID.xy), any ? words : uvec4(0u));
-#endif
+  for (int i = 0; i < INPUTS; ++i) x[i] /= covered;
+  evaluateNetwork(x, said);
+  imageStore(tileOutput, tile, encodeOutput(outputFrom(said)));
 #endif
 }

@@ -40,8 +40,7 @@ void main() {
     uint n = min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS);
     uint k = 0u;
     if (n > 0u) {
-      uint bids = imageLoad(slotBids, p).r;
-      uvec4 amounts = uvec4(min(n, LEAST_SLOTS), bids & 0xFFFFu, bids >> 16, n);
+      uvec4 amounts = uvec4(min(n, LEAST_SLOTS), unpackTaken(imageLoad(slotBids, p).r), n);
       uint own = levelOf(amounts, lower);
       uint more = lower < 3 ? amounts[lower + 1] - own : 0u;
       wanted += more;

@@ -11,11 +11,18 @@ layout(early_fragment_tests) in;
 layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
 layout(std430, binding = SSBO_SLICES) buffer Slices { uvec4 slices[]; };
 
-/// Along the view axis, of a reversed depth.
-float viewDistance(float depth) {
-  float nearPlane = frame.slices.x;
-  float farPlane = frame.slices.y;
-  return nearPlane * farPlane / (nearPlane + depth * (farPlane - nearPlane));
+/// Below any product of differences of depths; keeps a pixel of one depth from dividing by 0.
+const float kLeastDepth = 1e-30;
+
+/// How far a depth is on the way from the nearest to the farthest fragment along the view axis, 0..1.
+/// Reversed depths z become distances c / (a + z), of which c and one division cancel.
+/// @param range as the pass that counts left it
+float wayOf(float depth, vec2 range) {
+  float a = frame.slices.x / (frame.slices.y - frame.slices.x);
+  float nearest = range.x;
+  float farthest = -range.y;
+  float way = (nearest - depth) * (a + farthest) / max((nearest - farthest) * (a + depth), kLeastDepth);
+  return clamp(way, 0.0, 1.0);
 }
 
 void main() {
@@ -23,21 +30,17 @@ void main() {
   float alpha = clamp(c.a, 0.0, 1.0);
   float tau = min(opticalDepth(alpha), SLICE_MAX_DEPTH);
   vec3 color = clamp(c.rgb / max(alpha, 1e-6), vec3(0.0), vec3(SLICE_MAX_COLOR));
-  int tile = int(frame.slices.w);
-  uint count = uint(frame.slices.z);
-  ivec2 first = ivec2(gl_FragCoord.xy) * tile;
+  ivec2 first = ivec2(gl_FragCoord.xy) * SLICE_TILE;
   vec2 range = texelFetch(depthRange, first, 0).rg;
-  for (int i = 1; i < tile * tile; ++i) {
-    ivec2 p = min(first + ivec2(i % tile, i / tile), ivec2(frame.size.xy) - 1);
+  for (int i = 1; i < SLICE_TILE * SLICE_TILE; ++i) {
+    ivec2 p = min(first + ivec2(i % SLICE_TILE, i / SLICE_TILE), ivec2(frame.size.xy) - 1);
     range = max(range, texelFetch(depthRange, p, 0).rg);
   }
-  float nearest = viewDistance(range.x);
-  float x = (viewDistance(gl_FragCoord.z) - nearest) / max(viewDistance(-range.y) - nearest, 1e-6);
-  x = clamp(x, 0.0, 1.0);
+  float way = wayOf(gl_FragCoord.z, range);
 #ifdef LEARNED
-  x = pow(x, LEARNED_SLICE_POWER);
+  way = pow(way, LEARNED_SLICE_POWER);
 #endif
-  uint slice = min(uint(x * float(count)), count - 1u);
+  uint slice = min(uint(way * float(SLICES)), uint(SLICES) - 1u);
   uint at = sliceBase(first) + slice;
   uvec4 words = encodeSlice(tau, color);
 #ifdef SYNC_ORDERED

@@ -4,7 +4,7 @@
 layout(binding = TEX_INPUT0) uniform sampler2D opaqueDepth;
 
 void main() {
-  int tile = int(frame.slices.w);
+  int tile = int(frame.slices.z);
   ivec2 first = ivec2(gl_FragCoord.xy) * tile;
   ivec2 last = min(first + tile, ivec2(frame.size.xy)) - 1;
   float farthest = 1.0;

@@ -16,7 +16,7 @@ struct FrameConstants {
   uvec4 oit;        // x: slots of a pixel where they are constant, y: slots of the pool, z: stride
                     // of the pixels in which the price of a slot is searched for, w: words of a
                     // pixel's occupancy map
-  vec4 slices;      // near plane, far plane; z: depth slices, w: samples a side that share them
+  vec4 slices;      // x, y: near and far plane; z: samples a side that share depth slices
   mat4 reprojection;  // clip space of this frame to that of the last
   vec4 right;         // xyz: from the middle of the view to its right edge, at distance 1
   vec4 up;            // the same to its upper edge

@@ -9,12 +9,6 @@
 #define LOD_TILE_SHIFT 4
 // Rates: a sample every 1, 2, 4 or 8 texels.
 #define LOD_RATES 4
-// Threads of a work-group that walks a list.
-#define LOD_LIST_GROUP 64
-
-// Work-groups in a row, as many as every GPU takes (OpenGL 4.5, table 23.71); longer lists take
-// several rows.
-#define LOD_ROW_GROUPS 65535u
 
 MACULA_SHARED_BEGIN
 

@@ -16,7 +16,7 @@
 MACULA_SHARED_BEGIN
 
 struct OitTotals {
-  uint importanceLow;   // sum of importance, 64 bits in two words
+  uint importanceLow;  // sum of importance, 64 bits in two words
   uint importanceHigh;
   uint covered;         // pixels with a transparent fragment
   uint starved;         // of these, those whose share of the budget rounds to no layer
@@ -27,6 +27,7 @@ struct OitTotals {
   uvec4 extent;         // x: all fragments; y: bits of the nearest reversed depth; z: complement of
                         // those of the farthest; w: pixels with a fragment; for networks
   uvec4 levels;         // slots asked for: least for each, at a high price, at a low one, all
+  uvec4 dispatches[1];  // of the list of covered tiles: see shaders/lib/list_dispatch.glsl
   uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
 };
 

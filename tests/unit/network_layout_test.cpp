@@ -219,12 +219,12 @@ TEST(NetworkText, OfMinusZeroIsNoDecrement) {
             "float a0=(x[0]-(-0.0))*1.0;said[0]=(-0.0)+a0*1.0;");
 }
 
-TEST(NetworkDefines, SayModelSizesAndTile) {
+TEST(NetworkDefines, SayModelSizesAndSlices) {
   const Network thesis = test::randomNetwork(NetworkModel::Thesis, {2}, 1);
   gl::Defines defines = networkDefines(thesis, NetworkModel::Thesis, 2);
   EXPECT_EQ(defineOf(defines, "INPUTS"), "12");
   EXPECT_EQ(defineOf(defines, "OUTPUTS"), "1");
-  EXPECT_EQ(defineOf(defines, "NETWORK_TILE"), "2");
+  EXPECT_EQ(defineOf(defines, "SLICE_TILE"), "2");
   EXPECT_EQ(defineOf(defines, "MODEL_THESIS"), "1");
   EXPECT_EQ(defineOf(defines, "MODEL_LEARNED"), "(none)");
   const Network learned = test::randomNetwork(NetworkModel::Learned, {2}, 1);

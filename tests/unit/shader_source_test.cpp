@@ -117,7 +117,7 @@ void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});
   addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}}, {"SHADOW"});
   addCombinations(all, "scene.vert", {}, {});
-  addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}}, {"LIT", "ENVIRONMENT"});
+  addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}}, {"LIT", "TEXTURED", "ENVIRONMENT"});
   addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
   addCombinations(all, "shadow.frag", {}, {"MASK"});
   addCombinations(all, "lighting.comp", {}, {"LIT", "SHADOWS", "ENVIRONMENT"});
@@ -172,8 +172,11 @@ void addPlainTransparent(std::vector<Variant>& all) {
   addCombinations(all, "oit/cull_depth.frag", {}, {"RANGES"});
   addCombinations(all, "oit/peel_layer.comp", {}, {"FINISH"});
   addCombinations(all, "oit/statistics.comp", {}, {"SLOTS_RANGES", "FILLS"});
-  addCombinations(all, "oit/slices.frag", {{"VERTEX_LIGHT", "1"}},
-                  {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "ENVIRONMENT"});
+  for (const char* tile : {"1", "2"}) {
+    addCombinations(all, "oit/slices.frag",
+                    {{"VERTEX_LIGHT", "1"}, {"SLICES", "4"}, {"SLICE_TILE", tile}},
+                    {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "ENVIRONMENT"});
+  }
   addCombinations(all, "oit/count_colors.frag", {{"VERTEX_LIGHT", "1"}},
                   {"LIT", "TEXTURED", "ENVIRONMENT"});
   for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
@@ -181,17 +184,19 @@ void addPlainTransparent(std::vector<Variant>& all) {
   }
 }
 
-/// The passes around networks of importance, at every size of a tile; a small network stands for
+/// The passes around networks of importance, at every size of tiles; a small network stands for
 /// larger ones.
 void addNetworks(std::vector<Variant>& all) {
   using passes::NetworkModel;
   for (const int tile : {1, 2, 4}) {
+    addCombinations(all, "oit/covered.comp", {{"LISTED_TILE", std::to_string(tile)}}, {});
     addCombinations(all, "oit/network_importance.comp", {{"NETWORK_TILE", std::to_string(tile)}},
                     {"FACTORS"});
     for (const NetworkModel model : {NetworkModel::Thesis, NetworkModel::Learned}) {
       const Defines network = networkDefines(test::randomNetwork(model, {3, 2}, 1), model, tile);
-      addCombinations(all, "oit/network.comp", network, {});
-      if (tile > 1) continue;  // these look at single pixels
+      for (const char* listed : {"1", "2", "4"}) {
+        addCombinations(all, "oit/network.comp", together(network, {{"LISTED_TILE", listed}}), {});
+      }
       addCombinations(all, "oit/network.comp", together(network, {{"FEATURES_OUT", "1"}}), {});
       addCombinations(all, "oit/network.comp", together(network, {{"PROBE", "1"}}), {});
     }
@@ -206,7 +211,13 @@ void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
   all.add({"oit/resolve.comp", definesOf(plan), {}});
   if (plan.auctions()) {
     const Defines bids = bidDefines(plan);
-    all.add({"oit/demand.comp", bids, {}});
+    if (plan.slices()) {
+      const std::string listed = std::to_string(plan.listedTile());
+      all.add({"oit/bids.comp", together(bids, {{"LISTED_TILE", listed}}), {}});
+      all.add({"oit/demand.comp", together(bids, {{"BIDS_IN", "1"}}), {}});
+    } else {
+      all.add({"oit/demand.comp", bids, {}});
+    }
     for (const char* round : {"0", "1"}) {
       all.add({"oit/price.comp", together(bids, {{"ROUND", round}}), {}});
     }
