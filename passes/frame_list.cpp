@@ -69,13 +69,14 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<ImportancePass>(plan));
   passes.push_back(std::make_unique<ExtentPass>(plan));
   passes.push_back(std::make_unique<SlicesPass>(plan));
-  passes.push_back(std::make_unique<CoveredPass>(plan));
+  passes.push_back(std::make_unique<CoveredPass>(plan, LIST_OF_TILES));
   passes.push_back(std::make_unique<NetworkPass>(plan));
   passes.push_back(std::make_unique<NetworkImportancePass>(plan));
   passes.push_back(std::make_unique<ReservePass>(plan));
   passes.push_back(std::make_unique<HistogramPass>(plan));
   passes.push_back(std::make_unique<OneKPass>(plan));
   passes.push_back(std::make_unique<AllocatePass>(plan));
+  passes.push_back(std::make_unique<CoveredPass>(plan, LIST_OF_SAMPLES));
   for (int round = 0; round < PRICE_ROUNDS; ++round) {
     passes.push_back(std::make_unique<PricePass>(plan, round));
   }

@@ -2,16 +2,16 @@
 // that a fragment has the same depth wherever it is drawn.
 // SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
 // beside the position alone. LIT with VERTEX_LIGHT: the light that reaches the vertex on both of its
-// sides, in place of what light at a fragment needs; for predictions. Where no texture (TEXTURED)
-// changes them, the colours of both sides as they are lit.
+// sides, in place of what light at a fragment needs; for predictions. VERTEX_LIGHT where no texture
+// (TEXTURED) changes them: the colours of both sides as they are lit.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 #if defined(LIT) && defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
-#include "lib/predicted_layer.glsl"
-#ifndef TEXTURED
-#define VERTEX_LAYER
 #endif
+#if defined(VERTEX_LIGHT) && !defined(TEXTURED)
+#define VERTEX_LAYER
+#include "lib/predicted_layer.glsl"
 #endif
 
 layout(location = ATTR_POSITION) in vec3 position;
@@ -81,6 +81,10 @@ void main() {
   vec3 backLight = ambientRadiance(-n) + irradianceAt(world, -n) / kPi;
 #endif
 #ifdef VERTEX_LAYER
+#ifndef LIT
+  const vec3 frontLight = vec3(1.0);
+  const vec3 backLight = vec3(1.0);
+#endif
   // Single-sided runs show front faces only; for the others a mirroring transform swaps the sides.
   MaterialData m = materials[instance.ids.x];
   bool twoSided = (m.flags.x & MATERIAL_DOUBLE_SIDED) != 0u;

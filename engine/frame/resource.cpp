@@ -54,6 +54,7 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::CountBins, "count bins", 0, Bytes, B::Overhead, C::Zero},
     {R::StripSums, "strip sums", 0, Bytes, B::Overhead, C::Zero},
     {R::CoveredTiles, "covered tiles", 0, Bytes, B::Overhead, C::Never},
+    {R::CoveredSamples, "covered samples", 0, Bytes, B::Overhead, C::Never},
     {R::SlotBids, "slot bids", GL_R32UI, Display, B::Overhead, C::Never},
     {R::DepthRange, "depth range", GL_RG32F, Display, B::Overhead, C::Never},
     {R::Occupancy, "occupancy", 0, Bytes, B::Overhead, C::Never},

@@ -53,6 +53,7 @@ enum class Resource : std::uint8_t {
   CountBins,          ///< how many pixels have 1, 2, ... fragments
   StripSums,          ///< per strip: what an allocation sums
   CoveredTiles,       ///< places of the tiles that transparent fragments cover
+  CoveredSamples,     ///< places of those pixels of a sample that they cover
   SlotBids,           ///< slots that a pixel takes at the high and the low price
   DepthRange,         ///< nearest and farthest transparent depth of a pixel
   Occupancy,          ///< per pixel: which depth intervals hold a fragment

@@ -1,7 +1,7 @@
 #include "passes/oit/bids_pass.h"
 
 #include "passes/oit/bidding.h"
-#include "passes/oit/covered_tiles.h"
+#include "passes/oit/covered_lists.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {

@@ -1,4 +1,4 @@
-// Lists the tiles that transparency covers.
+// Lists the tiles, or those pixels of a sample, that transparency covers.
 #pragma once
 
 #include "passes/oit/oit_pass.h"
@@ -7,8 +7,9 @@ namespace macula::passes {
 
 class CoveredPass final : public OitPass {
  public:
-  using OitPass::OitPass;
-  [[nodiscard]] std::string_view name() const override { return "oit.covered"; }
+  /// @param list LIST_OF_TILES or LIST_OF_SAMPLES
+  CoveredPass(const OitPlan& plan, int list) : OitPass(plan), list_(list) {}
+  [[nodiscard]] std::string_view name() const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;
 
  private:
@@ -16,6 +17,7 @@ class CoveredPass final : public OitPass {
   void declareWork(frame::PassDeclaration& d) const override;
   void run(frame::PassContext& context) override;
 
+  int list_;
   GLuint program_ = 0;
 };
 

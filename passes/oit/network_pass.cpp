@@ -1,6 +1,6 @@
 #include "passes/oit/network_pass.h"
 
-#include "passes/oit/covered_tiles.h"
+#include "passes/oit/covered_lists.h"
 #include "passes/oit/network_inputs.h"
 #include "shared/bindings.h"
 

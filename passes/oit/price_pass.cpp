@@ -14,6 +14,7 @@ bool PricePass::wanted() const {
 
 void PricePass::declareWork(frame::PassDeclaration& d) const {
   declareBids(d, plan_);
+  d.reads(Resource::CoveredSamples, Use::Storage);
   d.modifies(Resource::OitTotals, Use::Storage);
 }
 
@@ -26,10 +27,9 @@ void PricePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& prog
 void PricePass::run(frame::PassContext& context) {
   glUseProgram(program_);
   bindBids(context, plan_);
+  context.bindStorage(SSBO_COVERED, Resource::CoveredSamples);
   context.bindStorage(SSBO_OIT_TOTALS, Resource::OitTotals);
-  const int stride = priceStride(plan_.size);
-  const glm::ivec2 samples = (plan_.size + stride - 1) / stride;
-  context.dispatch({(samples.x + STRIP - 1) / STRIP, samples.y}, {STRIP_GROUP, 1});
+  context.dispatch({PRICE_THREADS, 1}, {LIST_GROUP, 1});
 }
 
 }  // namespace macula::passes

@@ -25,10 +25,10 @@ Bids bidAt(ivec2 p, uint n, vec4 prices[BID_VECTORS]) {
     float seen = peripheryFactor(vec2(p) + 0.5, ImportanceSettings(0.0, gazeSettings.x, 0.0, 1.0));
     weight = mix(1.0, seen * seen, gazeSettings.y);
   }
-  Correction correction = Correction(vec4(0.0), vec4(0.0));
+  Correction correction = Correction(vec4(1.0), vec4(0.0));
 #ifdef BID_LEARNED
   NetworkOutput said = outputAt(p);
-  correction = Correction(said.low, said.high);
+  correction = Correction(exp2(said.low), kUnknownOrder * exp2(said.high));
 #endif
   ivec2 behind = pixelAt(p, pitch, textureSize(opaqueColor, 0));
   return bid(p, n, prices, texelFetch(opaqueColor, behind, 0).rgb, weight, correction);

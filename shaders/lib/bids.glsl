@@ -41,27 +41,46 @@ vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
 const float kUnknownOrder = 0.003;
 #endif
 
-/// What a network makes of a prediction: by how much errors at the ends of slices are multiplied, and
-/// the order of layers that slices do not tell. Both as log2; 0 changes nothing.
+/// What a network makes of a prediction: by how much it multiplies errors at the ends of slices, and the
+/// variance of the order of layers that slices do not tell.
 struct Correction {
   vec4 error;  // of keeping what lies before each knot: every second slice
   vec4 order;  // inside the slices from each knot on
 };
 
-/// A prefix of the pixel's fragments, nearest first.
+/// Fragments of a pixel from its nearest on.
 struct Prefix {
   float fragments;
   float tau;
+  float passes;  // transmittance
   vec3 tauColor;
   vec3 color;  // of its layers over nothing
 };
 
-void extend(inout Prefix prefix, Slice s) {
-  float before = exp2(-prefix.tau);
-  prefix.fragments += s.fragments;
-  prefix.tau += s.tau;
-  prefix.tauColor += s.tauColor;
-  prefix.color += (before - exp2(-prefix.tau)) * s.tauColor / max(s.tau, 1e-6);
+const Prefix kNothing = Prefix(0.0, 0.0, 1.0, vec3(0.0), vec3(0.0));
+
+/// A slice, or a part of one, with what follows from its sums.
+struct Layer {
+  float fragments;
+  float tau;
+  float passes;
+  vec3 tauColor;
+  vec3 color;  // opaque
+};
+
+Layer layerOf(Slice s, int parts) {
+  float share = 1.0 / float(parts);
+  return Layer(s.fragments * share, s.tau * share, exp2(-s.tau * share), s.tauColor * share,
+               s.tauColor * (1.0 / max(s.tau, 1e-6)));
+}
+
+void extend(inout Prefix prefix, Layer layer) {
+  float passes = prefix.passes * layer.passes;
+  prefix.fragments += layer.fragments;
+  prefix.tau += layer.tau;
+  prefix.tauColor += layer.tauColor;
+  prefix.color += (prefix.passes - passes) * layer.color;
+  prefix.passes = passes;
 }
 
 #ifdef BID_ERROR
@@ -69,22 +88,20 @@ void extend(inout Prefix prefix, Slice s) {
 /// @param slice the last one kept, as far as `part` of it, 0..1
 float predictedError(Prefix kept, Prefix all, vec3 exact, vec3 behind, Correction c, int slice,
                      float part) {
-  float reaches = exp2(-kept.tau);
-  float passes = exp2(-all.tau);
 #ifdef TAIL_IN_SLOT
-  float left = max(all.tau - kept.tau, 0.0);
-  vec3 mean = max(all.tauColor - kept.tauColor, 0.0) / max(left, 1e-6);
-  vec3 color = kept.color + (reaches - passes) * mean + passes * behind;
+  float left = 1.0 / max(all.tau - kept.tau, 1e-6);
+  vec3 mean = max(all.tauColor - kept.tauColor, 0.0) * left;
+  vec3 color = kept.color + (kept.passes - all.passes) * mean + all.passes * behind;
 #else
-  vec3 color = kept.color + reaches * behind;
+  vec3 color = kept.color + kept.passes * behind;
 #endif
   vec3 off = exact - shown(color);
-  float unknown = reaches - passes;
+  float unknown = kept.passes - all.passes;
 #ifdef BID_LEARNED
   int knot = slice / LEARNED_SLICES_A_KNOT;
   float beyond = (float(slice % LEARNED_SLICES_A_KNOT) + part) / float(LEARNED_SLICES_A_KNOT);
-  float more = exp2(mix(c.error[knot], c.error[min(knot + 1, LEARNED_KNOTS - 1)], beyond));
-  return more * (dot(off, off) + kUnknownOrder * exp2(c.order[knot]) * unknown * unknown);
+  float more = mix(c.error[knot], c.error[min(knot + 1, LEARNED_KNOTS - 1)], beyond);
+  return more * (dot(off, off) + c.order[knot] * unknown * unknown);
 #else
   return dot(off, off) + kUnknownOrder * unknown * unknown;
 #endif
@@ -97,17 +114,17 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight, C
   for (int v = 0; v < BID_VECTORS; ++v) bids.slots[v] = vec4(n);
   if (n <= LEAST_SLOTS) return bids;
   uint base = sliceBase(p);
-  Prefix all = Prefix(0.0, 0.0, vec3(0.0), vec3(0.0));
+  Prefix all = kNothing;
   for (int i = 0; i < SLICES; ++i) {
     uvec4 words = slices[base + uint(i)];
-    if (words.x != 0u) extend(all, decodeSlice(words));
+    if (words.x != 0u) extend(all, layerOf(decodeSlice(words), 1));
   }
   // A tile's slices stand for all of its pixels, whatever their counts.
   float scale = float(n) / max(all.fragments, 1.0);
-  Prefix kept = Prefix(0.0, 0.0, vec3(0.0), vec3(0.0));
+  Prefix kept = kNothing;
   float slots = slotsFor(0.0, n);
 #ifdef BID_ERROR
-  vec3 exact = shown(all.color + exp2(-all.tau) * behind);
+  vec3 exact = shown(all.color + all.passes * behind);
   float value = weight * predictedError(kept, all, exact, behind, correction, 0, 0.0);
   vec4 each[BID_VECTORS];
   vec4 best[BID_VECTORS];
@@ -123,10 +140,7 @@ Bids bid(ivec2 p, uint n, vec4 prices[BID_VECTORS], vec3 behind, float weight, C
   for (int i = 0; i < SLICES; ++i) {
     uvec4 words = slices[base + uint(i)];
     if (words.x == 0u) continue;
-    Slice one = decodeSlice(words);
-    one.fragments /= float(BID_PARTS);
-    one.tau /= float(BID_PARTS);
-    one.tauColor /= float(BID_PARTS);
+    Layer one = layerOf(decodeSlice(words), BID_PARTS);
     for (int j = 0; j < BID_PARTS; ++j) {
 #ifdef BID_TRANSMITTANCE
       float tauBefore = kept.tau;

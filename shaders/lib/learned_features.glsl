@@ -11,8 +11,8 @@ layout(location = 0) uniform vec2 pitch;  // samples of the opaque image a pixel
 /// About what a display shows of a radiance: gamma 2 in place of sRGB.
 vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
 
-/// Adds the features of pixel p with n fragments.
-void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
+/// The features of pixel p with n fragments.
+void findFeatures(ivec2 p, float n, out float x[INPUTS]) {
   ivec2 at = pixelAt(p, pitch, textureSize(opaqueColor, 0));
   vec3 behind = texelFetch(opaqueColor, at, 0).rgb;
   uint base = sliceBase(p);
@@ -31,7 +31,7 @@ void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
   }
   float passes = exp2(-tau);
   vec3 exact = shown(color + passes * behind);
-  x[0] += log2(n);
+  x[0] = log2(n);
   float keptTau = 0.0;
   vec3 keptTauColor = vec3(0.0);
   vec3 kept = vec3(0.0);
@@ -45,12 +45,12 @@ void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
     keptTauColor += s[i].tauColor;
     kept += (reaches - exp2(-keptTau)) * own;
     vec3 ownShown = shown(own);
-    x[1 + i] += log2(dot(off, off) + LEARNED_LEAST_ERROR);
-    x[1 + LEARNED_SLICES + i] += exp2(-keptTau);
-    x[1 + 2 * LEARNED_SLICES + i] += s[i].fragments / max(fragments, 1.0);
-    x[1 + 3 * LEARNED_SLICES + i] += log2(s[i].tau / max(s[i].fragments, 1.0) + LEARNED_LEAST_DEPTH);
-    for (int c = 0; c < 3; ++c) x[1 + 4 * LEARNED_SLICES + 3 * i + c] += ownShown[c];
+    x[1 + i] = log2(dot(off, off) + LEARNED_LEAST_ERROR);
+    x[1 + LEARNED_SLICES + i] = exp2(-keptTau);
+    x[1 + 2 * LEARNED_SLICES + i] = s[i].fragments / max(fragments, 1.0);
+    x[1 + 3 * LEARNED_SLICES + i] = log2(s[i].tau / max(s[i].fragments, 1.0) + LEARNED_LEAST_DEPTH);
+    for (int c = 0; c < 3; ++c) x[1 + 4 * LEARNED_SLICES + 3 * i + c] = ownShown[c];
   }
   vec3 behindShown = shown(behind);
-  for (int c = 0; c < 3; ++c) x[1 + 7 * LEARNED_SLICES + c] += behindShown[c];
+  for (int c = 0; c < 3; ++c) x[1 + 7 * LEARNED_SLICES + c] = behindShown[c];
 }

@@ -1,13 +1,18 @@
 // What a transparent layer is likely to look like, for predictions: without shadows, highlights,
-// reflections and normal maps, but enough to tell how colours differ.
+// reflections and normal maps, but enough to tell how colours differ. LIT: the run's materials are lit.
 
-/// @param base colour and alpha before the alpha mode · @param light radiance that a white diffuse surface sends on
+/// @param base colour and alpha before the alpha mode
+/// @param light radiance that a white diffuse surface sends on; of no use where not LIT
 /// @return radiance and coverage, premultiplied
 vec4 predictedLayer(MaterialData m, vec4 base, vec3 light) {
+#ifdef LIT
   float transmission = m.transmission.w;
   vec3 tint = base.rgb * m.transmission.rgb;
   float least = min(tint.r, min(tint.g, tint.b));
   vec3 color = base.rgb * (1.0 - m.surface.x) * light * (1.0 - transmission) + m.emissive.rgb +
                transmission * (tint - least) * light;
   return vec4(color, 1.0 - transmission * least) * alphaOf(m, base.a);
+#else
+  return vec4(base.rgb + m.emissive.rgb, 1.0) * alphaOf(m, base.a);
+#endif
 }

@@ -14,22 +14,22 @@ float farShare(float depth) {
   return nearPlane / (nearPlane + depth * (farPlane - nearPlane));
 }
 
-/// Adds the features of pixel p with n fragments.
-void addFeatures(ivec2 p, float n, inout float x[INPUTS]) {
+/// The features of pixel p with n fragments.
+void findFeatures(ivec2 p, float n, out float x[INPUTS]) {
   vec2 range = texelFetch(depthRange, p, 0).rg;
   vec3 blend = texelFetch(colorSums, p, 0).rgb / n;
   vec3 nearest = vec3(floatBitsToUint(texelFetch(nearestColor, p, 0).rgb) & 0xFFu) / 255.0;
   float total = float(totals.extent.x);
   // The pixel's share of all fragments, times the pixels that have any: as a share alone it is some
   // millionths, and means another thing in every size and view.
-  x[0] += n * float(totals.extent.w) / total;
-  x[1] += float(frame.oit.y) / total;
-  x[2] += farShare(range.x);
-  x[3] += farShare(-range.y);
-  x[4] += farShare(uintBitsToFloat(totals.extent.y));
-  x[5] += farShare(uintBitsToFloat(~totals.extent.z));
+  x[0] = n * float(totals.extent.w) / total;
+  x[1] = float(frame.oit.y) / total;
+  x[2] = farShare(range.x);
+  x[3] = farShare(-range.y);
+  x[4] = farShare(uintBitsToFloat(totals.extent.y));
+  x[5] = farShare(uintBitsToFloat(~totals.extent.z));
   for (int i = 0; i < 3; ++i) {
-    x[6 + i] += blend[i];
-    x[9 + i] += nearest[i];
+    x[6 + i] = blend[i];
+    x[9 + i] = nearest[i];
   }
 }

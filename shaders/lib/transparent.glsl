@@ -2,7 +2,7 @@
 // LIT: the run's materials are lit. VERTEX_LIGHT: a cheap guess of both instead, for predictions,
 // with light from the vertices, and without textures (TEXTURED) the whole layer from there.
 #include "lib/frame.glsl"
-#if defined(LIT) && defined(VERTEX_LIGHT) && !defined(TEXTURED)
+#if defined(VERTEX_LIGHT) && !defined(TEXTURED)
 layout(location = 3) in vec4 inFrontLayer;
 layout(location = 4) in vec4 inBackLayer;
 

@@ -9,7 +9,7 @@ layout(local_size_x = LIST_GROUP) in;
 
 layout(r32ui, binding = IMG_0) writeonly uniform uimage2D slotBids;
 layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
-#include "lib/covered_tile.glsl"
+#include "lib/covered.glsl"
 #include "lib/price.glsl"
 
 void main() {

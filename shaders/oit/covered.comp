@@ -1,15 +1,36 @@
-// Lists the tiles that transparent fragments cover. A thread walks a strip of tiles and adds to the
-// list once. LISTED_TILE: samples a side of a tile.
+// Lists what transparent fragments cover, for passes whose work would be in vain elsewhere. A thread
+// walks a strip of places and adds to the list once.
+// LISTED_TILE: places are tiles of so many samples a side. SAMPLED: places are cells, of each of which
+// one pixel is looked at and listed.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
 #include "lib/frame.glsl"
+#include "lib/hash.glsl"
 #include "lib/oit.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
-layout(std430, binding = SSBO_COVERED_TILES) writeonly buffer CoveredTiles { uint coveredTiles[]; };
+layout(std430, binding = SSBO_COVERED) writeonly buffer Covered { uint covered[]; };
 #include "lib/list_dispatch.glsl"
+
+#ifdef SAMPLED
+const int kList = LIST_OF_SAMPLES;
+int placeSide() { return int(frame.oit.z); }
+
+/// A place in the cell that changes from cell to cell, so that no pattern of the scene is met.
+ivec2 entryOf(ivec2 cell) {
+  int side = placeSide();
+  uint h = hashPcg(uint(cell.x) + hashPcg(uint(cell.y)));
+  ivec2 p = cell * side + ivec2(int(h >> 8) % side, int(h >> 20) % side);
+  return min(p, ivec2(frame.size.xy) - 1);
+}
+
+bool isCovered(ivec2 cell) { return texelFetch(fragmentCount, entryOf(cell), 0).r > 0.0; }
+#else
+const int kList = LIST_OF_TILES;
+int placeSide() { return LISTED_TILE; }
+ivec2 entryOf(ivec2 tile) { return tile; }
 
 bool isCovered(ivec2 tile) {
   ivec2 last = ivec2(frame.size.xy) - 1;
@@ -20,21 +41,25 @@ bool isCovered(ivec2 tile) {
   }
   return most > 0.0;
 }
+#endif
 
 void main() {
   ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(STRIP, (int(frame.size.x) + LISTED_TILE - 1) / LISTED_TILE - first.x);
-  uint covered = 0u;  // a bit for each tile of the strip
+  int end = min(STRIP, (int(frame.size.x) + placeSide() - 1) / placeSide() - first.x);
+  uint found = 0u;  // a bit for each place of the strip
   for (int i = 0; i < end; ++i) {
-    if (isCovered(first + ivec2(i, 0))) covered |= 1u << uint(i);
+    if (isCovered(first + ivec2(i, 0))) found |= 1u << uint(i);
   }
-  if (covered == 0u) return;
-  uint entries = uint(bitCount(covered));
-  uint place = atomicAdd(totals.dispatches[0].w, entries);
-  atomicMax(totals.dispatches[0].z, 1u);
-  growDispatch(0, (place + entries + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP));
+  if (found == 0u) return;
+  uint entries = uint(bitCount(found));
+  uint at = atomicAdd(totals.dispatches[kList].w, entries);
+#ifndef SAMPLED
+  atomicMax(totals.dispatches[kList].z, 1u);
+  growDispatch(kList, (at + entries + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP));
+#endif
   for (int i = 0; i < end; ++i) {
-    if ((covered & (1u << uint(i))) == 0u) continue;
-    coveredTiles[place++] = uint(first.x + i) | uint(first.y) << 16;
+    if ((found & (1u << uint(i))) == 0u) continue;
+    ivec2 entry = entryOf(first + ivec2(i, 0));
+    covered[at++] = uint(entry.x) | uint(entry.y) << 16;
   }
 }

@@ -5,8 +5,8 @@
 layout(local_size_x = STRIP_GROUP) in;
 
 #include "lib/frame.glsl"
-#ifdef BIDS_IN
 #include "lib/oit.glsl"
+#ifdef BIDS_IN
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
 layout(r32ui, binding = IMG_0) readonly uniform uimage2D slotBids;
 #else

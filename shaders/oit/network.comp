@@ -1,5 +1,5 @@
-// A network of importance, evaluated once for each covered tile from the mean of the features of its
-// covered pixels.
+// A network of importance, evaluated once for each covered tile from the features of its deepest pixel:
+// where it matters most, and a fraction of the work of a mean over the tile, which was no better.
 // MODEL_THESIS, MODEL_LEARNED: which features. FEATURES_OUT: write each pixel's features instead of
 // evaluating. PROBE: evaluate given features, for the check against the program that trained it.
 #include "shared/dispatch.h"
@@ -27,7 +27,7 @@ layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals tot
 layout(std430, binding = SSBO_NETWORK_VALUES) buffer Values { float values[]; };
 #else
 layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
-#include "lib/covered_tile.glsl"
+#include "lib/covered.glsl"
 #endif
 
 NetworkOutput outputFrom(float said[OUTPUTS]) {
@@ -42,7 +42,6 @@ NetworkOutput outputFrom(float said[OUTPUTS]) {
 
 void main() {
   float x[INPUTS];
-  for (int i = 0; i < INPUTS; ++i) x[i] = 0.0;
 #ifdef PROBE
   float said[OUTPUTS];
   uint at = gl_GlobalInvocationID.x * uint(INPUTS + OUTPUTS);
@@ -55,24 +54,26 @@ void main() {
   ivec2 size = ivec2(frame.size.xy);
   if (any(greaterThanEqual(p, size))) return;
   float n = texelFetch(fragmentCount, p, 0).r;
-  if (n > 0.0) addFeatures(p, n, x);
+  for (int i = 0; i < INPUTS; ++i) x[i] = 0.0;
+  if (n > 0.0) findFeatures(p, n, x);
   uint at = uint(p.y * size.x + p.x) * uint(INPUTS);
   for (int i = 0; i < INPUTS; ++i) values[at + uint(i)] = x[i];
 #else
   float said[OUTPUTS];
   ivec2 tile;
   if (!findCoveredTile(tile)) return;
-  float covered = 0.0;
+  float most = 0.0;
+  ivec2 deepest = ivec2(0);
   for (int i = 0; i < LISTED_TILE * LISTED_TILE; ++i) {
     ivec2 p = tile * LISTED_TILE + ivec2(i % LISTED_TILE, i / LISTED_TILE);
     if (any(greaterThanEqual(p, ivec2(frame.size.xy)))) continue;
     float n = texelFetch(fragmentCount, p, 0).r;
-    if (n > 0.0) {
-      addFeatures(p, n, x);
-      covered += 1.0;
+    if (n > most) {
+      most = n;
+      deepest = p;
     }
   }
-  for (int i = 0; i < INPUTS; ++i) x[i] /= covered;
+  findFeatures(deepest, most, x);
   evaluateNetwork(x, said);
   imageStore(tileOutput, tile, encodeOutput(outputFrom(said)));
 #endif

@@ -21,8 +21,14 @@ float wayOf(float depth, vec2 range) {
   float a = frame.slices.x / (frame.slices.y - frame.slices.x);
   float nearest = range.x;
   float farthest = -range.y;
-  float way = (nearest - depth) * (a + farthest) / max((nearest - farthest) * (a + depth), kLeastDepth);
-  return clamp(way, 0.0, 1.0);
+  float part = (nearest - depth) * (a + farthest);
+  float whole = (nearest - farthest) * (a + depth);
+#ifdef LEARNED
+  // 2 w / (1 + w) of the way w: slices that are thinner towards the eye, where fragments weigh most.
+  part *= 2.0;
+  whole += 0.5 * part;
+#endif
+  return clamp(part / max(whole, kLeastDepth), 0.0, 1.0);
 }
 
 void main() {
@@ -37,9 +43,6 @@ void main() {
     range = max(range, texelFetch(depthRange, p, 0).rg);
   }
   float way = wayOf(gl_FragCoord.z, range);
-#ifdef LEARNED
-  way = pow(way, LEARNED_SLICE_POWER);
-#endif
   uint slice = min(uint(way * float(SLICES)), uint(SLICES) - 1u);
   uint at = sliceBase(first) + slice;
   uvec4 words = encodeSlice(tau, color);

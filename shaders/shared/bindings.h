@@ -21,7 +21,7 @@
 #define SSBO_LOD_TILES 11
 #define SSBO_LOD_HOLES 12
 #define SSBO_NETWORK_VALUES 13
-#define SSBO_COVERED_TILES 14
+#define SSBO_COVERED 14
 
 // Textures of a material (one draw run each)
 #define TEX_BASE_COLOR 0

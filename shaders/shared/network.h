@@ -18,10 +18,6 @@
 #define LEARNED_SLICES_A_KNOT 2
 #define LEARNED_MOST 12.0
 
-// Fragments of a pixel crowd towards the eye, where they weigh most: a slice ends at this power of
-// the way from the nearest to the farthest.
-#define LEARNED_SLICE_POWER 0.65
-
 // Squared errors below 2^-20 are nothing on a display; a layer of optical depth 2^-8 cannot be seen.
 #define LEARNED_LEAST_ERROR 9.5367431640625e-7
 #define LEARNED_LEAST_DEPTH 0.00390625

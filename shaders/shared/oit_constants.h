@@ -41,11 +41,13 @@
 // can change to more than a whole pixel is worth.
 #define PRICE_LOWEST -40.0
 #define PRICE_HIGHEST 4.0
-// Octaves by which the high and the low price stand off the one found in a sample of the pixels: its
-// sums are about one per cent off.
+// Octaves by which the high and the low price stand off the one found in a sample of the pixels:
+// its sums are about one per cent off.
 #define PRICE_MARGIN 0.05
 // Pixels a side of which the search looks at one, at the most, and pixels that are enough for it.
 #define PRICE_PIXELS 65536
+// Threads of the search: each sums some pixels before it touches the totals.
+#define PRICE_THREADS 2048
 
 // The depth key of an empty slot: no depth has it.
 #define NO_KEY 0xFFFFFFFFu

@@ -10,6 +10,11 @@
 #define PRICE_CANDIDATES 16
 #define PRICE_VECTORS_IN_ALL 8
 
+// Lists of what transparent fragments cover.
+#define OIT_LISTS 2
+#define LIST_OF_TILES 0    // all tiles
+#define LIST_OF_SAMPLES 1  // a sample of the pixels, for the search for a price
+
 // Bins of the histogram of counts; a deeper pixel counts as this deep.
 #define COUNT_BINS 1024
 
@@ -18,16 +23,16 @@ MACULA_SHARED_BEGIN
 struct OitTotals {
   uint importanceLow;  // sum of importance, 64 bits in two words
   uint importanceHigh;
-  uint covered;         // pixels with a transparent fragment
-  uint starved;         // of these, those whose share of the budget rounds to no layer
-  uint cursor;          // slots handed out; exact methods may ask for more than exist
-  uint countMax;        // largest n of this frame
-  uint lockFailures;    // fragments given up at the bound of a spin lock
-  uint oneLayer;        // k of kb-plus
-  uvec4 extent;         // x: all fragments; y: bits of the nearest reversed depth; z: complement of
-                        // those of the farthest; w: pixels with a fragment; for networks
-  uvec4 levels;         // slots asked for: least for each, at a high price, at a low one, all
-  uvec4 dispatches[1];  // of the list of covered tiles: see shaders/lib/list_dispatch.glsl
+  uint covered;       // pixels with a transparent fragment
+  uint starved;       // of these, those whose share of the budget rounds to no layer
+  uint cursor;        // slots handed out; exact methods may ask for more than exist
+  uint countMax;      // largest n of this frame
+  uint lockFailures;  // fragments given up at the bound of a spin lock
+  uint oneLayer;      // k of kb-plus
+  uvec4 extent;       // x: all fragments; y: bits of the nearest reversed depth; z: complement of
+                      // those of the farthest; w: pixels with a fragment; for networks
+  uvec4 levels;       // slots asked for: least for each, at a high price, at a low one, all
+  uvec4 dispatches[OIT_LISTS];              // of each list: see shaders/lib/list_dispatch.glsl
   uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
 };
 

@@ -160,6 +160,7 @@ void addPlainTransparent(std::vector<Variant>& all) {
         "oit/predict.comp", "oit/extent.comp"}) {
     addCombinations(all, file, {}, {});
   }
+  addCombinations(all, "oit/covered.comp", {{"SAMPLED", "1"}}, {});
   const Defines ids{{"POSITION_ONLY", "1"}, {"WITH_IDS", "1"}};
   addCombinations(all, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {"RANGE"});
   addCombinations(all, "oit/importance.comp", {}, {"FACTORS"});
