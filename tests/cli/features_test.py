@@ -124,7 +124,7 @@ def check_layers(scene):
     assert rows.sum() == PIXELS and (scene["fragments"] == 3).all()
     assert numpy.allclose(scene["thesis"][:, 0], 1)
     learned = scene["learned"][rows]
-    # 5.5 m is half of the way: 0.5^0.65 = 0.64, in the sixth of eight slices.
+    # 5.5 m is half of the way: 1 / 1.5 = 0.67, in the sixth of eight slices.
     third = 1 / 3
     assert numpy.allclose(learned[:, 17:25], [third, 0, 0, 0, 0, third, 0, third], atol=1e-5)
     assert numpy.allclose(learned[:, 9:16], [2 * third] * 5 + [third] * 2, atol=1e-3), "passes"

@@ -62,14 +62,13 @@ TEST(NetworkMirror, LearnedFeaturesAsByHand) {
 }
 
 TEST(NetworkMirror, SlicesAreThinnerTowardsTheEye) {
-  // Of the way from 1 m to 2 m, a quarter to the power of 0.65 is 0.4061: the fourth of eight
-  // slices.
+  // Of the way from 1 m to 2 m, a quarter becomes 0.5 / 1.25 = 0.4: the fourth of eight slices.
   const MirrorSlices slices =
       slicesOf({{1.0, {0, 0, 0, 0.5}}, {1.25, {0, 0, 0, 0.75}}, {2.0, {0, 0, 0, 0.5}}}, false);
   EXPECT_EQ(slices.slices[0].tau, 1.0);
   EXPECT_EQ(slices.slices[3].tau, 2.0);
   EXPECT_EQ(slices.slices[7].fragments, 1.0);
-  EXPECT_NEAR(slices.nearestBoundary, 8.0 * 0.40613 - 3.0, 2e-4);
+  EXPECT_NEAR(slices.nearestBoundary, 0.2, 1e-12);
 }
 
 /// One view, drawn by all fragments, by none, and for a network.

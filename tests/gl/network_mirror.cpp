@@ -117,7 +117,7 @@ MirrorSlices slicesOf(const std::vector<MirrorFragment>& fragments, bool fixedPo
   const double depth = fragments.back().distance - nearest;
   for (const MirrorFragment& fragment : fragments) {
     const double way = depth > 0.0 ? (fragment.distance - nearest) / depth : 0.0;
-    const double place = LEARNED_SLICES * std::pow(way, LEARNED_SLICE_POWER);
+    const double place = LEARNED_SLICES * 2.0 * way / (1.0 + way);
     const auto index = static_cast<std::size_t>(std::min(std::floor(place), LEARNED_SLICES - 1.0));
     // The nearest and the farthest stand at the ends for certain.
     for (int boundary = 1; boundary < LEARNED_SLICES; ++boundary) {

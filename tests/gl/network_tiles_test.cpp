@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
@@ -60,6 +61,51 @@ TEST_F(NetworkTiles, SpeckleNoMoreWhereTheySpeakForTiles) {
     note(describe(way) + " tile 1", speckle[0]);
     note(describe(way) + " tile 2", speckle[1]);
     EXPECT_LE(speckle[1], speckle[0]) << describe(way);
+  }
+}
+
+/// What a network said of each tile, four words each.
+std::vector<std::array<std::uint32_t, 4>> saidBy(const Bench& bench) {
+  const auto words = bench.words(Resource::NetworkOutput, 4);
+  std::vector<std::array<std::uint32_t, 4>> said(words.size() / 4);
+  for (std::size_t i = 0; i < words.size(); ++i) said[i / 4][i % 4] = words[i];
+  return said;
+}
+
+TEST_F(NetworkTiles, AreSpokenForByTheirDeepestPixel) {
+  const scene::Scene scene = unlit(tangle(60, 3));
+  const glm::ivec2 size(45, 38);  // no multiple of a tile
+  for (const OitSettings& way : ways(3.0)) {
+    const OitSettings oit = random(way, 5);
+    Bench single(scene, tiled(oit, 1), size, machine());
+    single.draw();
+    const auto pixels = saidBy(single);
+    const auto counts = single.floats(Resource::FragmentCount, 1);
+    for (const int tile : {2, 4}) {
+      Bench bench(scene, tiled(oit, tile), size, machine());
+      bench.draw();
+      const auto said = saidBy(bench);
+      const glm::ivec2 tiles = (size + tile - 1) / tile;
+      ASSERT_EQ(said.size(), static_cast<std::size_t>(tiles.x * tiles.y));
+      std::vector<std::size_t> deepest(said.size());
+      std::vector<float> most(said.size(), 0.0F);
+      for (std::size_t p = 0; p < counts.size(); ++p) {
+        const auto width = static_cast<std::size_t>(size.x);
+        const auto side = static_cast<std::size_t>(tile);
+        const std::size_t t =
+            p / width / side * static_cast<std::size_t>(tiles.x) + p % width / side;
+        if (counts[p] > most[t]) {
+          most[t] = counts[p];
+          deepest[t] = p;
+        }
+      }
+      EXPECT_THAT(most, testing::Contains(0.0F)) << "some tiles are empty";
+      for (std::size_t t = 0; t < said.size(); ++t) {
+        const std::array<std::uint32_t, 4> nothing{};
+        ASSERT_EQ(said[t], most[t] == 0.0F ? nothing : pixels[deepest[t]])
+            << describe(oit) << " tile " << tile << " number " << t;
+      }
+    }
   }
 }
 

@@ -82,11 +82,11 @@ class Slices:
             each = SLICES * PARTS // KNOTS
             knot = (place - 1).clamp(min=0) // each
             beyond = (place - knot * each) / each
-            error, order = said[:, :KNOTS], said[:, KNOTS:]
+            error, order = torch.exp2(said[:, :KNOTS]), torch.exp2(said[:, KNOTS:])
             low = error[:, knot]
             high = error[:, (knot + 1).clamp(max=KNOTS - 1)]
-            more = torch.exp2(low + (high - low) * beyond)
-            value = more * (self.squares + UNKNOWN_ORDER * torch.exp2(order[:, knot]) * self.unknown)
+            more = low + (high - low) * beyond
+            value = more * (self.squares + UNKNOWN_ORDER * order[:, knot] * self.unknown)
         value = torch.where(self.passed_over, torch.full_like(value, 1e9), value)
         return torch.cat([value, torch.zeros(len(value), 1)], 1)
 
