@@ -57,7 +57,7 @@ struct ImportanceSettings {
   bool noisePerFrame = false;  ///< a new xi every frame
   int slices = 4;              ///< depth slices a predictor sums; a network has its own
   int tile = 1;                ///< samples a side that share their slices
-  int networkTile = 1;         ///< samples a side for which a network is evaluated once
+  int networkTile = 4;         ///< samples a side for which a network is evaluated once
   double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
 };
 
