@@ -13,7 +13,6 @@ void declareNetworkInputs(frame::PassDeclaration& d, const OitPlan& plan) {
     d.reads(Resource::DepthRange, Use::Texture);
     d.reads(Resource::ColorSums, Use::Texture);
     d.reads(Resource::NearestColor, Use::Texture);
-    d.reads(Resource::OitTotals, Use::Storage);
   } else {
     d.reads(Resource::SliceSums, Use::Storage);
     d.reads(Resource::HdrColor, Use::Texture);

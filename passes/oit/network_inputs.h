@@ -6,6 +6,7 @@
 
 namespace macula::passes {
 
+/// All but the totals, which the pass reads to walk its list.
 void declareNetworkInputs(frame::PassDeclaration& d, const OitPlan& plan);
 void bindNetworkInputs(const frame::PassContext& context, const OitPlan& plan);
 
