@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
 #include "engine/scene/procedural/recipes.h"
@@ -98,6 +99,49 @@ class Features : public GlTest {
     return {unlit(scene::makeLayers(5, 1)), unlit(scene::makeMedley(2)), unlit(tangle(240, 5))};
   }
 };
+
+/// Lit models, some double-sided, some mirrored. @param textured with a white texture, which
+/// changes nothing but where their colours are found: at fragments, not at vertices
+scene::Scene turnedModels(bool textured) {
+  scene::Scene scene = scene::makeMedley(3);
+  for (scene::Primitive& primitive : scene.primitives) {
+    for (scene::VertexAttributes& vertex : primitive.attributes) vertex.color = glm::vec4(1.0F);
+  }
+  for (std::size_t i = 0; i < scene.instances.size(); i += 2) {
+    glm::mat4& transform = scene.instances[i].transform;
+    transform = glm::scale(transform, glm::vec3(-1.0F, 1.0F, 1.0F));
+  }
+  const auto image = static_cast<std::int32_t>(scene.images.size());
+  if (textured) {
+    scene.images.push_back(
+        {.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}});
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    scene.materials[i].doubleSided = i % 3 != 0;
+    scene.materials[i].baseColorTexture.image = textured ? image : scene::kNone;
+  }
+  return scene;
+}
+
+TEST_F(Features, AreTheSameFromVerticesAsFromFragments) {
+  const glm::ivec2 size(64, 48);
+  for (const OitSettings& way :
+       {OitSettings{.method = "kb-learned", .kAve = 3.0}, learnedBids(3.0)}) {
+    const View plain(turnedModels(false), way, size, machine());
+    const View textured(turnedModels(true), way, size, machine());
+    ASSERT_EQ(plain.features.size(), textured.features.size());
+    const std::size_t features = plain.features.size() / 64 / 48;
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < plain.features.size(); ++i) {
+      if (plain.features[i / features * features] > 0.0F) ++covered;
+      // Interpolated light times a colour, or interpolated products: they round apart, and
+      // logarithms of errors of some millionths tell.
+      ASSERT_NEAR(plain.features[i], textured.features[i], 0.02)
+          << describe(way) << " feature " << i % features << " of pixel " << i / features;
+    }
+    EXPECT_GT(covered, plain.features.size() / 10);
+  }
+}
 
 TEST_F(Features, OfTheThesisAsByHand) {
   const View view(sheets({{5.0F, {0.0F, 0.5F, 1.0F, 0.25F}}, {2.0F, {1.0F, 0.5F, 0.25F, 0.5F}}}),
