@@ -103,7 +103,11 @@ class Features : public GlTest {
 /// Lit models, some double-sided, some mirrored. @param textured with a white texture, which
 /// changes nothing but where their colours are found: at fragments, not at vertices
 scene::Scene turnedModels(bool textured) {
-  scene::Scene scene = scene::makeMedley(3);
+  scene::Scene scene = scene::makeMedley(1);
+  // From one side, so that the two sides of a surface differ.
+  scene.lights = {{.type = scene::LightType::Directional,
+                   .intensity = 10.0F,
+                   .direction = {-0.6F, 0.0F, -0.8F}}};
   for (scene::Primitive& primitive : scene.primitives) {
     for (scene::VertexAttributes& vertex : primitive.attributes) vertex.color = glm::vec4(1.0F);
   }
@@ -118,6 +122,8 @@ scene::Scene turnedModels(bool textured) {
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     scene.materials[i].doubleSided = i % 3 != 0;
+    scene.materials[i].unlit = false;
+    scene.materials[i].metallic = 0.0F;
     scene.materials[i].baseColorTexture.image = textured ? image : scene::kNone;
   }
   return scene;
