@@ -165,7 +165,8 @@ void FrameRenderer::prepare() {
   resources_.setBufferBytes(Resource::CoveredTiles,
                             area((size + listed - 1) / listed) * sizeof(std::uint32_t));
   // Cells that the last row and column only begin come on top, in whatever size is drawn.
-  const std::size_t cells = std::min(area(size), static_cast<std::size_t>(PRICE_PIXELS) + size.x + size.y + 1);
+  const std::size_t cells =
+      std::min(area(size), static_cast<std::size_t>(PRICE_PIXELS + size.x + size.y + 1));
   resources_.setBufferBytes(Resource::CoveredSamples, cells * sizeof(std::uint32_t));
   resources_.setBufferBytes(Resource::StripSums, (area({(size.x + STRIP - 1) / STRIP, size.y}) +
                                                   static_cast<std::size_t>(size.y)) *
