@@ -33,8 +33,7 @@ float slotsFor(float fragments, uint n) {
 }
 
 #ifdef BID_ERROR
-/// About what a display shows of a radiance: gamma 2 in place of sRGB.
-vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
+#include "lib/shown.glsl"
 
 /// Variance of the order of layers inside a slice, which its sums do not tell, for a transmittance
 /// difference of one.

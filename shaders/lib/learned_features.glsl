@@ -2,14 +2,12 @@
 // them would cost by their sums alone, and the opaque colour behind.
 #include "lib/slices.glsl"
 #include "lib/raster.glsl"
+#include "lib/shown.glsl"
 #include "shared/network.h"
 
 layout(std430, binding = SSBO_SLICES) readonly buffer Slices { uvec4 slices[]; };
 layout(binding = TEX_INPUT1) uniform sampler2D opaqueColor;
 layout(location = 0) uniform vec2 pitch;  // samples of the opaque image a pixel; 1 at full rate
-
-/// About what a display shows of a radiance: gamma 2 in place of sRGB.
-vec3 shown(vec3 radiance) { return sqrt(clamp(radiance, 0.0, 1.0)); }
 
 /// The features of pixel p with n fragments.
 void findFeatures(ivec2 p, float n, out float x[INPUTS]) {

@@ -1,7 +1,7 @@
 // Depth slices: what a pixel's fragments come to in each interval of distance, summed in fixed point
 // so that their order changes nothing.
 // SLICES: how many. SLICE_TILE: samples a side that share them. Constants, for where integers are
-// divided in software they would cost as much as all else.
+// divided in software that took a tenth of the pass that sums.
 #include "lib/frame.glsl"
 #include "shared/oit_constants.h"
 

@@ -1,5 +1,5 @@
 // A network of importance, evaluated once for each covered tile from the features of its deepest pixel:
-// where it matters most, and a fraction of the work of a mean over the tile, which was no better.
+// where it matters most, and a fraction of the work of a mean over the tile, which was hardly better.
 // MODEL_THESIS, MODEL_LEARNED: which features. FEATURES_OUT: write each pixel's features instead of
 // evaluating. PROBE: evaluate given features, for the check against the program that trained it.
 #include "shared/dispatch.h"

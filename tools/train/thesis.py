@@ -31,6 +31,8 @@ FRAGMENTS_SHARE, RESERVED_SHARE = 0, 1  # places among the features
 DEPTHS, BLEND, NEAREST = slice(2, 6), slice(6, 9), slice(9, 12)
 # Pixels of a view in a batch that shares a budget: its sums are then right to some per cent.
 SHARED_BATCH = 2048
+# A view with fewer sampled pixels says too little of how a budget is shared.
+LEAST_PIXELS = 200
 # Views in a step of training by the image's error: one alone pulls the weights its own way.
 VIEWS_A_STEP = 4
 # Hidden values left out of a step, so that scenes are not learned by heart; of the text's network
@@ -81,7 +83,7 @@ class Views:
             errors = torch.tensor(scene["errors_plain"])
             for view in np.unique(scene["view"]):
                 rows = np.nonzero(scene["view"] == view)[0]
-                if len(rows) > 200:
+                if len(rows) > LEAST_PIXELS:
                     self.views.append((torch.tensor(scene["thesis"][rows]),
                                        torch.tensor(scene["fragments"][rows].astype(np.float32)),
                                        torch.tensor(begin[rows]), errors))
