@@ -1,6 +1,7 @@
 // A triangle that covers everything, for what only a fragment stage can write: depth, stencil.
 #pragma once
 
+#include "engine/gl/block_check.h"
 #include "engine/gl/objects.h"
 
 namespace macula::passes {
@@ -17,6 +18,7 @@ class FullScreenDraw {
     glDisable(GL_CULL_FACE);
     glBindVertexArray(noAttributes_.id());
     glUseProgram(program);
+    gl::BlockCheck::beforeUse();
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 

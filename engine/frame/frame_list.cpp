@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/frame/pass_context.h"
+#include "engine/gl/block_check.h"
 #include "engine/gl/debug.h"
 
 namespace macula::frame {
@@ -16,6 +17,10 @@ std::vector<Touch> touchesOf(const Pass& pass) {
 
 std::size_t indexOf(Resource r) {
   return static_cast<std::size_t>(r);
+}
+
+void issue(GLbitfield barriers) {
+  if (barriers != 0) glMemoryBarrier(barriers);
 }
 
 }  // namespace
@@ -76,7 +81,10 @@ void FrameList::clearUnwritten(const Entry& entry, FrameResources& resources) {
     const bool reads = touch.access == Access::Read || touch.access == Access::Modify ||
                        touch.access == Access::Consume;
     if (!reads || written_[i] || infoOf(touch.resource).clear == ClearKind::Never) continue;
-    if (dirty_[i]) resources.clear(touch.resource);
+    if (dirty_[i]) {
+      issue(barriers_.beforeClear(touch.resource));
+      resources.clear(touch.resource);
+    }
     dirty_[i] = false;
   }
 }
@@ -84,15 +92,16 @@ void FrameList::clearUnwritten(const Entry& entry, FrameResources& resources) {
 void FrameList::run(PassContext& context, gl::FrameTimer& timer) {
   times_.clear();
   written_.fill(false);
-  barriers_.reset();
   timer.begin();
   for (Entry& entry : entries_) {
     if (!entry.runs) continue;
     const gl::DebugGroup group(entry.pass->name());
     clearUnwritten(entry, context.resources());
-    const GLbitfield bits = barriers_.before(entry.touches);
-    if (bits != 0) glMemoryBarrier(bits);
+    issue(barriers_.before(entry.touches));
+    gl::BlockCheck::beginPass();
+    context.setDeclared(entry.touches);
     entry.pass->execute(context);
+    context.setDeclared({});
     for (const Touch& touch : entry.touches) {
       if (touch.access == Access::Read || touch.access == Access::ReadHistory) continue;
       written_[indexOf(touch.resource)] = true;

@@ -16,12 +16,13 @@ class PassContext;
 
 /// How a pass touches a resource. Barriers follow from it.
 enum class Use : std::uint8_t {
-  Texture,      ///< sampled or fetched
-  Image,        ///< image load and store
-  Storage,      ///< shader storage buffer
-  Indirect,     ///< indirect dispatch, and shader storage of the shader that is dispatched
-  ColorTarget,  ///< rendered to
-  DepthTarget,  ///< depth-tested, perhaps written, as attachment
+  Texture,        ///< sampled or fetched
+  Image,          ///< image load and store
+  ImageOrTarget,  ///< image store in some frames, rendered to in others
+  Storage,        ///< shader storage buffer
+  Indirect,       ///< indirect dispatch, and shader storage of the shader that is dispatched
+  ColorTarget,    ///< rendered to
+  DepthTarget,    ///< depth-tested, perhaps written, as attachment
 };
 
 enum class Access : std::uint8_t {

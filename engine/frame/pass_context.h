@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <span>
 
 #include "engine/frame/frame_inputs.h"
 #include "engine/frame/frame_resources.h"
+#include "engine/frame/pass.h"
 #include "engine/frame/resource.h"
 
 namespace macula::frame {
@@ -27,6 +29,10 @@ class PassContext {
 
   [[nodiscard]] const FrameInputs& inputs() const { return inputs_; }
   [[nodiscard]] FrameResources& resources() const { return resources_; }
+
+  /// What the running pass declares. In debug contexts, binding anything else is reported: no
+  /// barrier would stand before it.
+  void setDeclared(std::span<const Touch> touches) { declared_ = touches; }
 
   /// glBindTextureUnit; no texture where no pass of this frame writes the resource.
   void bindTexture(GLuint unit, Resource r) const;
@@ -51,6 +57,9 @@ class PassContext {
   const FrameInputs& inputs_;
   FrameResources& resources_;
   std::array<GLuint, 2> constants_;
+  std::span<const Touch> declared_;  ///< empty outside of passes
+
+  void expectDeclared(Resource r, std::initializer_list<Use> uses) const;
 };
 
 }  // namespace macula::frame

@@ -1,5 +1,7 @@
 #include "engine/gl/debug.h"
 
+#include "engine/gl/block_check.h"
+
 namespace macula::gl {
 namespace {
 
@@ -23,6 +25,7 @@ DebugLog::DebugLog() {
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(receive, this);
+  BlockCheck::enableInDebugContext();
 }
 
 DebugLog::~DebugLog() {

@@ -63,7 +63,8 @@ void PeelPass::drawIds(frame::PassContext& context) {
                      plan_.size.y, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNobody);
   gl::apply({.depthTest = true, .depthFunc = GL_EQUAL});
   ids_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  // For the colours of this layer, and for the clear before the ids of the next.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void PeelPass::drawColors(frame::PassContext& context) {

@@ -17,7 +17,7 @@ void PredictPass::declareWork(frame::PassDeclaration& d) const {
   d.readsHistory(Resource::FragmentRange, Use::Texture);
   d.readsHistory(Resource::FragmentFill, Use::Texture);
   d.readsHistory(Resource::FragmentKeys, Use::Storage);
-  d.writes(Resource::PredictedCount, Use::Image);
+  d.writes(Resource::PredictedCount, Use::ImageOrTarget);
 }
 
 void PredictPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/gl/block_check.h"
 #include "engine/gl/gl.h"
 #include "passes/oit/network_inputs.h"
 #include "passes/oit/oit_pass.h"
@@ -75,6 +76,7 @@ std::vector<float> evaluateOnGpu(const network::Network& network, NetworkModel m
   const gl::Buffer buffer("probes", values.size() * sizeof(float), values.data());
   glUseProgram(programOf(network, model, 1, "PROBE", programs));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_NETWORK_VALUES, buffer.id());
+  gl::BlockCheck::beforeUse();
   glDispatchCompute(static_cast<GLuint>((count + LIST_GROUP - 1) / LIST_GROUP), 1, 1);
   values = download(buffer);
   std::vector<float> said;

@@ -1,9 +1,11 @@
 // Stored fragments: 16 bytes (key, premultiplied RGBA16F) or, PACKED, 8 bytes (24 bits of depth and
 // 8 of alpha, then premultiplied RGB with a shared exponent).
-// STORE_ACCESS: memory qualifiers of the arrays. STORE_READONLY: nothing is stored.
+// STORE_ACCESS: memory qualifiers of the arrays. STORE_READONLY: nothing is stored. KEYS_ONLY: only the
+// keys are looked at. A block that a shader declares must have its buffer, used or not.
 #include "lib/oit.glsl"
 
 layout(std430, binding = SSBO_FRAGMENT_KEYS) STORE_ACCESS buffer Keys { uvec2 keys[]; };
+#ifndef KEYS_ONLY
 #ifndef PACKED
 layout(std430, binding = SSBO_FRAGMENT_COLORS) STORE_ACCESS buffer Colors { uvec2 colors[]; };
 #endif
@@ -80,4 +82,5 @@ void storeTail(uint slot, vec4 sum) {
 bool isBehind(uvec2 key, uint slot) { return !isNearer(key, keys[slot]); }
 
 vec4 loadTail(uint slot) { return uintBitsToFloat(uvec4(keys[slot], colors[slot])); }
+#endif
 #endif

@@ -5,6 +5,7 @@ layout(early_fragment_tests) in;
 
 #include "lib/frame.glsl"
 #define STORE_ACCESS coherent
+#define KEYS_ONLY
 #include "lib/fragment_store.glsl"
 
 layout(location = 2) flat in uvec3 inIds;

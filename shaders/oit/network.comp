@@ -10,17 +10,21 @@ layout(local_size_x = LIST_GROUP) in;
 #endif
 
 #include "shared/network.h"
-#include "lib/frame.glsl"
-#include "lib/oit.glsl"
+#include "shared/bindings.h"
 #include "lib/network.glsl"
+#ifndef PROBE
+#include "lib/oit.glsl"
 #include "lib/network_output.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
+#if defined(MODEL_THESIS) || !defined(FEATURES_OUT)
 layout(std430, binding = SSBO_OIT_TOTALS) readonly buffer Totals { OitTotals totals; };
+#endif
 #ifdef MODEL_THESIS
 #include "lib/thesis_features.glsl"
 #else
 #include "lib/learned_features.glsl"
+#endif
 #endif
 
 #if defined(FEATURES_OUT) || defined(PROBE)
@@ -30,6 +34,7 @@ layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
 #include "lib/covered.glsl"
 #endif
 
+#if !defined(FEATURES_OUT) && !defined(PROBE)
 NetworkOutput outputFrom(float said[OUTPUTS]) {
 #ifdef MODEL_THESIS
   return NetworkOutput(vec4(said[0], 0.0, 0.0, 1.0), vec4(0.0));  // never all 0
@@ -39,6 +44,7 @@ NetworkOutput outputFrom(float said[OUTPUTS]) {
   return NetworkOutput(LEARNED_MOST * tanh(low / LEARNED_MOST), LEARNED_MOST * tanh(high / LEARNED_MOST));
 #endif
 }
+#endif
 
 void main() {
   float x[INPUTS];

@@ -7,8 +7,7 @@ layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 #include "lib/frame.glsl"
 #define RANGES
 #define STORE_ACCESS readonly
-#define STORE_READONLY
-#define PACKED  // only the keys are looked at
+#define KEYS_ONLY
 #include "lib/fragment_store.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D lastCount;

@@ -1,6 +1,9 @@
 #include "gl_fixture.h"
 
+#include <cstdlib>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 namespace macula::test {
 namespace {
@@ -10,6 +13,14 @@ struct World {
   window::HeadlessContext context{window::EglPlatform::Auto, true};
   gl::DebugLog log;
   passes::Machine machine;
+
+  World() {
+    const char* expected = std::getenv("MACULA_EXPECTED_DRIVER");
+    if (expected != nullptr && machine.capabilities.renderer.find(expected) == std::string::npos) {
+      throw std::runtime_error("the tests were to run on " + std::string(expected) +
+                               " and run on " + machine.capabilities.renderer);
+    }
+  }
 };
 
 World& world() {

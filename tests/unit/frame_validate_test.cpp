@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/frame/barriers.h"
-
 namespace macula::frame {
 namespace {
 
@@ -70,26 +68,6 @@ TEST(Validate, RefusesHistoryThatIsAlreadyOverwritten) {
       pass("reader", {{Resource::FrontNormal, Use::Texture, Access::ReadHistory}})};
   EXPECT_THAT(validate(passes, kShown),
               testing::Contains(HasSubstr("pass 'writer' has already overwritten")));
-}
-
-TEST(Barriers, FollowIncoherentWritesOnly) {
-  BarrierTracker tracker;
-  const std::vector<Touch> target{{Resource::HdrColor, Use::ColorTarget, Access::Write}};
-  const std::vector<Touch> sampled{{Resource::HdrColor, Use::Texture, Access::Read}};
-  EXPECT_EQ(tracker.before(target), 0U);
-  EXPECT_EQ(tracker.before(sampled), 0U) << "the driver orders render targets itself";
-  const std::vector<Touch> stored{{Resource::HdrColor, Use::Image, Access::Write}};
-  EXPECT_EQ(tracker.before(stored), 0U);
-  EXPECT_EQ(tracker.before(sampled), GLbitfield{GL_TEXTURE_FETCH_BARRIER_BIT});
-  EXPECT_EQ(tracker.before(sampled), 0U) << "one barrier settles the write";
-  EXPECT_EQ(tracker.before(target), GLbitfield{GL_FRAMEBUFFER_BARRIER_BIT});
-}
-
-TEST(Barriers, StorageWritesReachTheNextPass) {
-  BarrierTracker tracker;
-  const std::vector<Touch> counts{{Resource::OitTotals, Use::Storage, Access::Modify}};
-  EXPECT_EQ(tracker.before(counts), 0U);
-  EXPECT_EQ(tracker.before(counts), GLbitfield{GL_SHADER_STORAGE_BARRIER_BIT});
 }
 
 }  // namespace
