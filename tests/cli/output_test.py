@@ -9,13 +9,14 @@ a time.
 import csv
 import json
 import os
-import pty
 import re
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+
+from interrupted import interrupted as run_interrupted
 
 MACULA = sys.argv[1]
 SOURCE = os.environ["MACULA_SOURCE"]
@@ -106,23 +107,7 @@ def check_refused(folder):
 
 
 def interrupted(folder, *command, after=1):
-    """The exit status and what a terminal saw of a run that gets SIGINT after so many steps."""
-    ours, theirs = pty.openpty()
-    with subprocess.Popen([MACULA, *command], stdout=subprocess.DEVNULL, stderr=theirs, cwd=folder) as run:
-        os.close(theirs)
-        seen, asked = "", False
-        while True:
-            try:
-                part = os.read(ours, 4096).decode()
-            except OSError:  # the other end is closed
-                break
-            seen += part
-            done = re.findall(r"\] (\d+)/\d", seen)
-            if not asked and done and int(done[-1]) >= after:
-                run.send_signal(signal.SIGINT)
-                asked = True
-        os.close(ours)
-    return run.returncode, seen
+    return run_interrupted([MACULA, *command], folder, after)
 
 
 def rows_of(*path):
