@@ -24,7 +24,7 @@ function fillHeader() {
   }
   const gate = data.gate;
   const word = gate.met === null ? 'Not judged' : gate.met ? 'Met' : 'Missed';
-  const why = gate.met === null ? (data.clock_fault || (held.judged_frames === 0 ? 'every frame settles' : 'nothing was controlled'))
+  const why = gate.met === null ? (data.clock_fault || (data.held.judged_frames === 0 ? 'every frame settles' : 'nothing was controlled'))
     : `${percent(gate.within)} of the frames lie within ±${percent(gate.tolerance)} of the target; to reach: ${percent(gate.share)}. ` +
       `The tolerance is 5 % plus the spread of the fixed r in this run, ${percent(data.fixed.spread)}. ` +
       'The first ten frames, and ten after each change of the load, are left out.';

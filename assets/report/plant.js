@@ -76,6 +76,6 @@ fillTable(document.getElementById('table'), deadTimes, GATES, true);
 fillTable(document.getElementById('all'), data.cases, [...GATES, ...OTHERS], false);
 const select = document.getElementById('case');
 for (const c of data.cases) select.append(element('option', {value: c.name}, c.name));
-select.value = 'work-doubles';
+if (data.cases.some(c => c.name === 'work-doubles')) select.value = 'work-doubles';
 select.addEventListener('change', () => drawTraces(data.cases.find(c => c.name === select.value)));
 drawTraces(data.cases.find(c => c.name === select.value));

@@ -51,10 +51,17 @@ std::string fillPage(std::string_view page, const std::map<std::string, std::str
   return filled + std::string(page);
 }
 
+std::string interruptedBanner(std::string_view howFar) {
+  if (howFar.empty()) return {};
+  return "<p id=\"interrupted\" role=\"alert\">Interrupted: " + htmlSafe(howFar) +
+         ". What follows is of those alone.</p>";
+}
+
 std::string reportPageOf(const std::filesystem::path& assets, const std::string& name,
                          std::string_view json, std::map<std::string, std::string> texts) {
   const std::filesystem::path report = assets / "report";
   const std::filesystem::path vendor = report / "vendor";
+  texts.try_emplace("interrupted", "");
   texts["style"] = readTextFile(vendor / "uPlot.min.css") + readTextFile(report / "report.css");
   texts["licence"] = readTextFile(vendor / "uPlot.LICENSE");
   texts["vendor"] = readTextFile(vendor / "uPlot.iife.min.js");

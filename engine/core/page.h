@@ -19,9 +19,14 @@ namespace macula {
 [[nodiscard]] std::string fillPage(std::string_view page,
                                    const std::map<std::string, std::string>& texts);
 
+/// For "interrupted" of reportPageOf().
+/// @param howFar "12 of 60 frames were drawn"; empty: the run was complete, and so is the banner
+[[nodiscard]] std::string interruptedBanner(std::string_view howFar);
+
 /// A page that needs no network: NAME.html of assets/report with the shared style and charts,
 /// uPlot, NAME.js, and the texts.
-/// @param json the page's data @param texts further ones that the template names, ready for HTML
+/// @param json the page's data @param texts further ones that the template names, ready for HTML;
+///   "interrupted" is a notice above all else, empty where it is missing
 /// @throws InputError where a file of assets/report is missing
 [[nodiscard]] std::string reportPageOf(const std::filesystem::path& assets, const std::string& name,
                                        std::string_view json,

@@ -63,6 +63,7 @@ nlohmann::ordered_json toJson(const Results& results) {
           {"difference_scale", experiment.differenceScale},
           {"studies", studies},
           {"variants", variants},
+          {"interrupted", !results.interrupted.empty()},
           {"skipped", skipped},
           {"targets", toJson(std::span<const TargetRow>(results.targets))},
           {"points", results.points},
@@ -74,7 +75,9 @@ std::string reportPage(const Results& results, const std::filesystem::path& fold
   Json data = toJson(results);
   data["pictures"] = picturesOf(results, folder);
   const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return reportPageOf(assets, "report", json, {{"title", htmlSafe(results.experiment->title)}});
+  return reportPageOf(assets, "report", json,
+                      {{"title", htmlSafe(results.experiment->title)},
+                       {"interrupted", interruptedBanner(results.interrupted)}});
 }
 
 }  // namespace macula::experiment

@@ -33,6 +33,7 @@ struct Results {
   std::vector<Point> points;
   std::vector<TargetRow> targets;
   std::vector<Skipped> skipped;
+  std::string interrupted = {};  ///< how far it came; empty: all points were seen to
 };
 
 /// results.json; README.md of this folder has its keys.

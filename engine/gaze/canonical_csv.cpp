@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
 #include "engine/gaze/log_reader.h"
 
 namespace macula::gaze {
@@ -62,7 +63,14 @@ Conversion convertGazeLog(const std::filesystem::path& path, const std::filesyst
   GazeSample sample;
   CanonicalColumns columns;
   GazeLogReader survey(path, options);
-  while (survey.next(sample)) columns.note(sample);
+  const auto endWhereAsked = [&] {
+    if (interruptAsked())
+      throw Interrupted(fmt::format("interrupted; {} was not written", out.string()));
+  };
+  while (survey.next(sample)) {
+    endWhereAsked();
+    columns.note(sample);
+  }
   done.head = survey.head();
   if (done.head.format != "macula-csv") {  // so that the file still says what it was
     done.head.notes.push_back(fmt::format("converted from {}; coordinates were {}",
@@ -75,6 +83,7 @@ Conversion convertGazeLog(const std::filesystem::path& path, const std::filesyst
     std::string text;
     writeCanonicalHeader(done.head, columns, text);
     while (reader.next(sample)) {
+      endWhereAsked();
       writeCanonicalRow(sample, columns, text);
       ++done.samples;
       if (text.size() < kPiece) continue;

@@ -164,6 +164,7 @@ Json toJson(const RunRecord& run) {
         {"overhead", run.overheadBytes},
         {"gbuffer", run.gbufferBytes},
         {"buffers", buffers}}},
+      {"interrupted", run.interrupted},
       {"frames", Json::array()}};
   for (const FrameRecord& frame : run.frames) report["frames"].push_back(frameJson(frame));
   report["summary"] = summaryJson(run);

@@ -79,6 +79,7 @@ struct RunRecord {
   std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes;
   double loadMs = 0.0;
   double firstFrameMs = 0.0;  ///< from the start of the command to the end of the first frame
+  bool interrupted = false;   ///< frames that were asked for are missing
   std::vector<FrameRecord> frames;
 };
 

@@ -426,9 +426,17 @@ def check_asked_to_stop(folder, experiment):
         time.sleep(0.005)
     run.send_signal(signal.SIGINT)
     _, stderr = run.communicate()
-    assert run.returncode == 2 and stderr.startswith("macula: interrupted"), (run.returncode, stderr)
-    assert 3 <= len(results(folder)["points"]) < 30
-    assert "30 points" in chart(folder, experiment).stdout
+    finished = len(results(folder)["points"])
+    assert run.returncode == 130 and stderr.startswith("macula: interrupted"), (run.returncode, stderr)
+    assert 3 <= finished < 30 and results(folder)["interrupted"] is True
+    page = os.path.join(folder, "out", "report.html")
+    with open(page, encoding="utf-8") as f:
+        assert f">Interrupted: {finished} of 30 points are finished" in f.read()
+    done = chart(folder, experiment).stdout
+    assert f"{30 - finished} measured now, {finished} kept" in done, done
+    assert results(folder)["interrupted"] is False
+    with open(page, encoding="utf-8") as f:
+        assert 'id="interrupted"' not in f.read()
 
 
 def check_refusals(folder):

@@ -16,6 +16,8 @@ import sys
 import tempfile
 import time
 
+from interrupted import interrupted
+
 MACULA = sys.argv[1]
 
 for tool in ("Xvfb", "xdotool"):
@@ -254,6 +256,27 @@ def check_cut_off(folder, record, frames):
     assert not os.path.exists(out), "nothing half-written"
 
 
+def check_interrupted(folder, record, frames):
+    """SIGINT after the first frame: the report of what was drawn of a long recording."""
+    long = os.path.join(folder, "long")
+    shutil.copytree(record, long)
+    still = {**frames[-1], "reset": "none"}
+    del still["image_sha256"]
+    still.pop("settings", None)
+    with open(os.path.join(long, "frames.jsonl"), "a", encoding="utf-8") as f:
+        for i in range(len(frames), 5000):
+            f.write(json.dumps({**still, "index": i, "time_s": frames[-1]["time_s"] + i}) + "\n")
+    out = os.path.join(folder, "part")
+    status, seen = interrupted([MACULA, "replay", long, "--out", out], folder)
+    assert status == 130, (status, seen[-300:])
+    with open(os.path.join(out, "report.json"), encoding="utf-8") as f:
+        report = json.load(f)
+    drawn = len(report["frames"])
+    assert f"after {drawn} of 5000 frames" in seen, seen[-300:]
+    assert report["interrupted"] is True and 1 <= drawn < 5000
+    assert report["recording"]["first_difference"] is None, report["recording"]
+
+
 def check_refusals(folder, record):
     out = os.path.join(folder, "nothing")
     message = replay(record, out, "--method", "blend", status=2)
@@ -365,6 +388,7 @@ def main():
         check_script(folder)
         check_refused_change(folder)
         check_cut_off(folder, record, frames)
+        check_interrupted(folder, record, frames)
         check_refusals(folder, record)
         check_scene_file(folder)
         check_scene_change(folder)

@@ -13,7 +13,9 @@
 #include "commands.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
 #include "engine/core/nearest.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
 #include "engine/settings/toml_file.h"
@@ -145,6 +147,14 @@ std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
   return points;
 }
 
+std::size_t pointsOf(std::span<const Group> groups) {
+  std::size_t points = 0;
+  for (const Group& group : groups) {
+    for (const Batch& batch : group.batches) points += batch.points.size();
+  }
+  return points;
+}
+
 void writeResults(const Results& results, const fs::path& folder) {
   writeFileAtomically(folder / "results.csv", toCsv(results.points));
   writeFileAtomically(folder / "results.json", toJson(results).dump(1) + "\n");
@@ -178,25 +188,32 @@ void chart(const ChartOptions& options) {
   const fs::path path = findExperiment(options.experiment);
   const Experiment experiment = parseExperiment(readTextFile(path), path.string());
   checkExperiment(experiment);
+  const InterruptGuard guard;
   const fs::path folder(options.out);
-  makeOutputFolder(folder);
+  OutputFolder output(folder, "chart", options.force);
   PointsFile file(folder / "points.jsonl");
 
   const window::HeadlessContext context(platformOf(options.platform));
   passes::Machine machine;
   const std::vector<Group> groups = expand(experiment, fingerprintOf(experiment, machine));
+  output.begin();  // no file is named in it: finished points and their images stay
   ChartRun run{experiment, folder, file, machine};
   runGroups(run, groups);
 
   Results results{
       &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
   results.targets = judge(experiment, results.points);
-  writeResults(results, folder);
   if (run.interrupted) {
-    failInput("interrupted with {} points finished; the same command goes on from there",
-              results.points.size());
+    if (results.points.empty()) endIfInterrupted();
+    results.interrupted =
+        fmt::format("{} of {} points are finished", results.points.size(), pointsOf(groups));
   }
+  writeResults(results, folder);
   writeJson(options.json, toJson(results));
+  if (run.interrupted) {
+    throw Interrupted(
+        fmt::format("interrupted: {}; the same command goes on from there", results.interrupted));
+  }
   if (options.json != "-") printSummary(results, run, folder);
 }
 
@@ -206,10 +223,9 @@ void addChart(CLI::App& root) {
       "chart", "Runs an experiment: errors, times and bytes of variants, as table and report");
   command->add_option("experiment", options->experiment,
                       "A TOML file, or quick, lod, papers or learned (default quick)");
-  command
-      ->add_option("--out", options->out,
-                   "Folder for results.csv, results.json and report.html; finished points in "
-                   "it are kept")
+  addOutOption(*command, options->out, options->force,
+               "Folder for results.csv, results.json and report.html; finished points in it are "
+               "kept")
       ->required();
   addPlatformOption(*command, options->platform);
   addJsonOption(*command, options->json);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <exception>
 #include <new>
 
@@ -11,6 +10,7 @@
 #include "chart_oracle.h"
 #include "chart_path.h"
 #include "engine/core/error.h"
+#include "engine/core/interrupt.h"
 #include "engine/gaze/source.h"
 
 namespace macula::tools {
@@ -21,31 +21,6 @@ using experiment::Group;
 using experiment::kWarmUpRounds;
 using experiment::Point;
 using experiment::PointPlan;
-
-volatile std::sig_atomic_t interruptAsked = 0;
-
-/// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program as usual.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interruptAsked = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { interruptAsked = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &oldInterrupt_);
-    sigaction(SIGTERM, &action, &oldTerminate_);
-  }
-  ~InterruptGuard() {
-    sigaction(SIGINT, &oldInterrupt_, nullptr);
-    sigaction(SIGTERM, &oldTerminate_, nullptr);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction oldInterrupt_ {};
-  struct sigaction oldTerminate_ {};
-};
 
 bool isFinished(const ChartRun& run, const Batch& batch) {
   for (const PointPlan& plan : batch.points) {
@@ -187,7 +162,7 @@ class LoadedGroup {
         }
         progress_.advance();
       }
-      if (interruptAsked != 0) {
+      if (interruptAsked()) {
         run_.interrupted = true;
         return {};
       }
@@ -214,7 +189,7 @@ class LoadedGroup {
       const PathTrack track{camera_, *gaze, study_.pathFrames, study_.pathFps};
       exact = walkPath(track, *reference, contenders, points, [&] {
         progress_.advance();
-        run_.interrupted = run_.interrupted || interruptAsked != 0;
+        run_.interrupted = run_.interrupted || interruptAsked();
         return !run_.interrupted;
       });
     });
@@ -245,7 +220,7 @@ class LoadedGroup {
       attempt(refusal, [&] { describeOracle(point, plan, *oracles); });
       points.push_back(refusal.empty() ? std::move(point) : refusedPoint(batch, plan, refusal));
       progress_.advance();
-      if (interruptAsked != 0) {
+      if (interruptAsked()) {
         run_.interrupted = true;
         return {};
       }
@@ -336,10 +311,9 @@ void runGroups(ChartRun& run, std::span<const Group> groups) {
     }
     return;
   }
-  const InterruptGuard guard;
   ProgressBar progress("chart", steps);
   for (const Group* group : usable) {
-    if (interruptAsked != 0) run.interrupted = true;
+    if (interruptAsked()) run.interrupted = true;
     if (run.interrupted) return;
     runGroup(run, *group, progress);
   }

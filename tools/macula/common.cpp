@@ -130,16 +130,36 @@ window::EglPlatform platformOf(const std::string& name) {
   return name == "device" ? window::EglPlatform::Device : window::EglPlatform::Auto;
 }
 
+namespace {
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
 ProgressBar::ProgressBar(std::string label, int total)
-    : label_(std::move(label)), total_(total), shown_(::isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)),
+      total_(total),
+      shown_(::isatty(STDERR_FILENO) == 1),
+      lines_(label_, total, steadySeconds) {}
 
 ProgressBar::~ProgressBar() {
-  if (shown_) std::fputc('\n', stderr);
+  end();
+}
+
+void ProgressBar::end() {
+  if (shown_ && !ended_) std::fputc('\n', stderr);
+  ended_ = true;
 }
 
 void ProgressBar::advance() {
   ++done_;
-  if (!shown_) return;
+  if (!shown_) {
+    const std::string line = lines_.advance();
+    if (!line.empty()) std::fprintf(stderr, "%s\n", line.c_str());
+    return;
+  }
   constexpr int kWidth = 32;
   const int filled = total_ > 0 ? done_ * kWidth / total_ : kWidth;
   std::fprintf(stderr, "\r%s [%s%s] %d/%d", label_.c_str(),

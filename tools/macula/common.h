@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/core/progress.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/environment.h"
 #include "engine/scene/scene.h"
@@ -47,6 +48,17 @@ struct LoadedScene {
 /// `auto`, `scene`, a path file or the folder of a recording.
 [[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);
 
+/// Adds `--out DIR` and `--force`, for OutputFolder.
+template <typename Path>
+CLI::Option* addOutOption(CLI::App& command, Path& folder, bool& force, const std::string& help) {
+  CLI::Option* out = command.add_option("--out", folder, help)->type_name("DIR");
+  command
+      .add_flag("--force", force,
+                "Write into --out although it holds something else, of which nothing is removed")
+      ->needs(out);
+  return out;
+}
+
 /// Adds `--json FILE`; `-` is standard output.
 void addJsonOption(CLI::App& command, std::string& file);
 /// Writes to the file of --json; nothing where it was not given.
@@ -56,7 +68,7 @@ void writeJson(const std::string& file, const nlohmann::ordered_json& value);
 void addPlatformOption(CLI::App& command, std::string& platform);
 [[nodiscard]] window::EglPlatform platformOf(const std::string& name);
 
-/// A line that grows, on a terminal; silent when piped.
+/// A line that grows, on a terminal; when piped, a line now and then.
 class ProgressBar {
  public:
   ProgressBar(std::string label, int total);
@@ -64,12 +76,16 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   void advance();
+  /// Ends the bar's line, for what is printed next.
+  void end();
 
  private:
   std::string label_;
   int total_;
   int done_ = 0;
   bool shown_;
+  bool ended_ = false;
+  ProgressLines lines_;
 };
 
 }  // namespace macula::tools

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "common.h"
+#include "engine/core/interrupt.h"
 #include "engine/gaze/canonical_csv.h"
 #include "engine/gaze/log_reader.h"
 #include "engine/gaze/quality.h"
@@ -117,6 +118,7 @@ void info(const Options& options) {
 }
 
 void convert(const Options& options) {
+  const InterruptGuard guard;
   const gaze::Conversion done = gaze::convertGazeLog(options.file, options.out, options.log);
   fmt::print("{}: {} samples of {} written\ncoordinates were {}\n", options.out, done.samples,
              done.head.format, gaze::describe(done.head.coordinates));

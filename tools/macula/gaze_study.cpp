@@ -7,6 +7,8 @@
 #include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/page.h"
 #include "engine/gaze/point_error.h"
 #include "engine/measure/statistics.h"
@@ -24,6 +26,7 @@ struct Options {
   std::vector<double> latenciesMs{0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 150.0, 200.0};
   double fps = 60.0;
   std::string out;
+  bool force = false;  ///< --out may hold something else
   std::string json;
   gaze::GazeSettings settings;
   settings::Registry registry;
@@ -53,11 +56,14 @@ Json statistics(const std::vector<double>& errors) {
           {"p95", orNull(measure::p95(errors))}};
 }
 
-Json studyOf(const std::string& file, const Options& options) {
+/// The points that were finished; fewer than asked for only where the run was interrupted.
+Json studyOf(const std::string& file, const Options& options, ProgressBar& progress) {
   const gaze::GazeLog log = gaze::readGazeLog(file, gaze::logOptionsOf(options.settings));
+  const gaze::LandingErrors landing = gaze::landingErrors(log, options.settings);
   Json points = Json::array();
   for (const Way& way : kWays) {
     for (const double latency : options.latenciesMs) {
+      if (interruptAsked()) break;
       gaze::GazeSettings settings = options.settings;
       settings.pipeline.filter = way.filter;
       settings.pipeline.prediction = way.prediction;
@@ -65,9 +71,9 @@ Json studyOf(const std::string& file, const Options& options) {
       Json point{{"way", way.name}, {"latency_ms", latency}};
       point["error_deg"] = statistics(gaze::pointErrors(log, settings, options.fps));
       points.push_back(std::move(point));
+      progress.advance();
     }
   }
-  const gaze::LandingErrors landing = gaze::landingErrors(log, options.settings);
   return {{"log", fs::path(file).filename().string()},
           {"format", log.format},
           {"points", points},
@@ -92,24 +98,37 @@ std::string csvOf(const Json& results) {
 }
 
 void study(const Options& options) {
-  makeOutputFolder(options.out);
-  Json results{{"schema", 1},
-               {"commit", MACULA_COMMIT},
-               {"fps", options.fps},
-               {"settings", Json(options.registry.toJson())},
-               {"logs", Json::array()}};
-  ProgressBar progress("gaze study", static_cast<int>(options.files.size()));
+  const InterruptGuard guard;
+  OutputFolder output(options.out, "gaze study", options.force);
+  Json results{{"schema", 1},          {"commit", MACULA_COMMIT},
+               {"fps", options.fps},   {"settings", Json(options.registry.toJson())},
+               {"interrupted", false}, {"logs", Json::array()}};
+  const std::size_t asked = options.files.size() * kWays.size() * options.latenciesMs.size();
+  ProgressBar progress("gaze study", static_cast<int>(asked));
+  std::size_t finished = 0;
   for (const std::string& file : options.files) {
-    results["logs"].push_back(studyOf(file, options));
-    progress.advance();
+    if (interruptAsked()) break;
+    Json log = studyOf(file, options, progress);
+    finished += log["points"].size();
+    if (!log["points"].empty()) results["logs"].push_back(std::move(log));
   }
-  const fs::path folder(options.out);
-  writeFileAtomically(folder / "results.json", results.dump(1) + "\n");
-  writeFileAtomically(folder / "results.csv", csvOf(results));
-  writeFileAtomically(folder / "report.html",
-                      reportPageOf(dataFolder("assets"), "gaze", results.dump()));
+  progress.end();
+  if (finished == 0) endIfInterrupted();
+  std::string interrupted;
+  if (finished < asked) interrupted = fmt::format("{} of {} points were found", finished, asked);
+  results["interrupted"] = !interrupted.empty();
+  const std::string page = reportPageOf(dataFolder("assets"), "gaze", results.dump(),
+                                        {{"interrupted", interruptedBanner(interrupted)}});
+  writeFileAtomically(output.file("results.json"), results.dump(1) + "\n");
+  writeFileAtomically(output.file("results.csv"), csvOf(results));
+  writeFileAtomically(output.file("report.html"), page);
   writeJson(options.json, results);
-  if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
+  if (options.json != "-") {
+    fmt::print("report: {}\n", (output.path() / "report.html").string());
+  }
+  if (!interrupted.empty()) {
+    throw Interrupted(fmt::format("interrupted: {}; they are in {}", interrupted, options.out));
+  }
 }
 
 }  // namespace
@@ -127,7 +146,7 @@ void addGazeStudy(CLI::App& gaze) {
       ->check(CLI::Range(0.0, 10000.0));
   command->add_option("--fps", o->fps, "Frames a second (default 60)")
       ->check(CLI::Range(0.001, 100000.0));
-  command->add_option("--out", o->out, "Folder for results.csv, results.json and report.html")
+  addOutOption(*command, o->out, o->force, "Folder for results.csv, results.json and report.html")
       ->required();
   addJsonOption(*command, o->json);
   settings::addOptions(*command, o->registry);

@@ -99,7 +99,7 @@ void addHold(CLI::App& root) {
        {"--gaze", "--camera", "--frames", "--size", "--fps", "--warmup", "--load", "--platform"}) {
     plant->excludes(command->get_option(name));
   }
-  command->add_option("--out", o->out, "Folder for results.csv, results.json and report.html");
+  addOutOption(*command, o->out, o->force, "Folder for results.csv, results.json and report.html");
   addJsonOption(*command, o->json);
   settings::addOptions(*command, o->registry);
   share->excludes(command->get_option("--target-ms"));

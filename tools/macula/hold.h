@@ -27,6 +27,7 @@ struct HoldOptions {
   std::vector<std::string> loads;     ///< FRAME:TIMES, or none; empty: twice from the middle on
   std::optional<double> targetShare;  ///< of the full-rate time; else control.targetMs
   std::string out;
+  bool force = false;  ///< --out may hold something else
   std::string json;
   std::string platform = "auto";
   passes::RenderSettings settings;

@@ -3,6 +3,8 @@
 
 #include "engine/control/plant.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/page.h"
 #include "hold.h"
 #include "macula_version.h"
@@ -10,7 +12,6 @@
 namespace macula::tools {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Thousandths are finer than any difference that matters, and keep the page small.
@@ -66,37 +67,11 @@ std::string csvOf(const Json& results) {
   return csv;
 }
 
-}  // namespace
-
-void holdPlant(const HoldOptions& options) {
-  if (!options.out.empty()) makeOutputFolder(options.out);
-  const control::LawOptions law = control::lawOptionsOf(options.control);
-  Json results{{"schema", 1},
-               {"commit", MACULA_COMMIT},
-               {"target_ms", law.targetMs},
-               {"most_r", law.mostResize},
-               {"r_step", law.resizeStep},
-               {"expected_work_ms", law.expectedWorkMs},
-               {"least_aim", law.leastAim},
-               {"seeds", options.seeds},
-               {"laws", Json::object()}};
-  Json traces = Json::object();
-  const std::vector<control::PlantCase> cases = control::plantCases();
-  const std::vector<std::string> names = control::lawNames();
-  ProgressBar progress("plant", static_cast<int>(names.size() * cases.size()));
-  for (const std::string& name : names) {
-    for (const control::PlantCase& plantCase : cases) {
-      results["laws"][name][plantCase.name] =
-          measuresJson(control::measureLaw(name, plantCase, law, options.seeds));
-      if (!options.out.empty()) traces[name][plantCase.name] = traceOf(name, plantCase, law);
-      progress.advance();
-    }
-  }
-  writeJson(options.json, results);
-  if (options.out.empty()) return;
-  const fs::path folder(options.out);
-  writeFileAtomically(folder / "results.json", results.dump(1) + "\n");
-  writeFileAtomically(folder / "results.csv", csvOf(results));
+void writeFiles(const Json& results, const Json& traces,
+                const std::vector<control::PlantCase>& cases, const std::string& interrupted,
+                OutputFolder& output) {
+  writeFileAtomically(output.file("results.json"), results.dump(1) + "\n");
+  writeFileAtomically(output.file("results.csv"), csvOf(results));
   Json data = results;
   data["traces"] = traces;
   data["cases"] = Json::array();
@@ -107,9 +82,65 @@ void holdPlant(const HoldOptions& options) {
                              {"step_frame", plantCase.stepFrame},
                              {"steady_from", plantCase.steadyFrom}});
   }
-  writeFileAtomically(folder / "report.html",
-                      reportPageOf(dataFolder("assets"), "plant", data.dump()));
-  if (options.json != "-") fmt::print("report: {}\n", (folder / "report.html").string());
+  writeFileAtomically(output.file("report.html"),
+                      reportPageOf(dataFolder("assets"), "plant", data.dump(),
+                                   {{"interrupted", interruptedBanner(interrupted)}}));
+}
+
+}  // namespace
+
+void holdPlant(const HoldOptions& options) {
+  const InterruptGuard guard;
+  std::optional<OutputFolder> output;
+  if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
+  const control::LawOptions law = control::lawOptionsOf(options.control);
+  Json results{{"schema", 1},
+               {"commit", MACULA_COMMIT},
+               {"target_ms", law.targetMs},
+               {"most_r", law.mostResize},
+               {"r_step", law.resizeStep},
+               {"expected_work_ms", law.expectedWorkMs},
+               {"least_aim", law.leastAim},
+               {"seeds", options.seeds},
+               {"interrupted", false},
+               {"laws", Json::object()}};
+  Json traces = Json::object();
+  std::vector<control::PlantCase> cases = control::plantCases();
+  const std::vector<std::string> names = control::lawNames();
+  ProgressBar progress("plant", static_cast<int>(names.size() * cases.size()));
+  std::size_t finished = 0;  // cases that every law was run on: laws are compared on equal terms
+  for (; finished < cases.size() && !interruptAsked(); ++finished) {
+    const control::PlantCase& plantCase = cases[finished];
+    std::vector<std::pair<Json, Json>> ofLaws;  // measures and trace
+    for (const std::string& name : names) {
+      ofLaws.emplace_back(measuresJson(control::measureLaw(name, plantCase, law, options.seeds)),
+                          output ? traceOf(name, plantCase, law) : Json());
+      progress.advance();
+      if (interruptAsked()) break;
+    }
+    if (ofLaws.size() < names.size()) break;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      results["laws"][names[i]][plantCase.name] = std::move(ofLaws[i].first);
+      if (output) traces[names[i]][plantCase.name] = std::move(ofLaws[i].second);
+    }
+  }
+  progress.end();
+  if (finished == 0) endIfInterrupted();
+  std::string interrupted;
+  if (finished < cases.size()) {
+    interrupted = fmt::format("{} of {} cases were run", finished, cases.size());
+    results["interrupted"] = true;
+    cases.resize(finished);
+  }
+  writeJson(options.json, results);
+  if (output) writeFiles(results, traces, cases, interrupted, *output);
+  if (output && options.json != "-") {
+    fmt::print("report: {}\n", (output->path() / "report.html").string());
+  }
+  if (!interrupted.empty()) {
+    throw Interrupted(fmt::format("interrupted: {}{}", interrupted,
+                                  output ? "; they are in " + options.out : ""));
+  }
 }
 
 }  // namespace macula::tools

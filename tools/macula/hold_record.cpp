@@ -84,6 +84,7 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
                     {"law", options.control.law},
                     {"target_ms", record.targetMs},
                     {"target_share", nullptr},
+                    {"interrupted", !record.interrupted.empty()},
                     {"frames", record.held.size()},
                     {"settings", options.registry.toJson()}};
   if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;

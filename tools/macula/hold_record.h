@@ -50,6 +50,7 @@ struct HoldRecord {
   std::vector<HoldFrameRecord> frames;
   std::vector<HoldNotice> notices;
   control::HoldMeasures measures;
+  std::string interrupted;  ///< how far it came; empty: all frames were drawn
 };
 
 /// results.json, without frames.

@@ -6,6 +6,8 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/page.h"
 #include "engine/gaze/source.h"
 #include "engine/measure/statistics.h"
@@ -57,6 +59,7 @@ std::vector<control::HeldFrame> drawStill(passes::FrameRenderer& renderer, const
   std::vector<control::HeldFrame> drawn;
   const gaze::PointOfInterest point = stage.gaze->at(0.0);
   for (int i = -kUnmeasured; i < frames; ++i) {
+    endIfInterrupted();
     const passes::FrameResult result = renderer.render(stage.path.at(0.0), point);
     if (i >= 0) drawn.push_back(heldFrame(result));
   }
@@ -135,21 +138,29 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     }
     previous = time;
     progress.advance();
+    if (interruptAsked()) break;
   }
+  if (record.held.size() == static_cast<std::size_t>(options.frames)) return;
+  record.interrupted =
+      fmt::format("{} of {} frames were drawn", record.held.size(), options.frames);
+  // The steps that were not reached change nothing.
+  std::erase_if(record.steps,
+                [&](const LoadStep& step) { return step.frame >= record.held.size(); });
 }
 
-void writeFiles(const HoldRecord& record, const HoldOptions& options) {
-  const std::filesystem::path folder(options.out);
+void writeFiles(const HoldRecord& record, const HoldOptions& options, OutputFolder& output) {
   const std::string page =
-      reportPageOf(dataFolder("assets"), "hold", pageData(record, options).dump());
-  writeFileAtomically(folder / "results.json", toJson(record, options).dump(1) + "\n");
-  writeFileAtomically(folder / "results.csv", toCsv(record));
-  writeFileAtomically(folder / "report.html", page);
+      reportPageOf(dataFolder("assets"), "hold", pageData(record, options).dump(),
+                   {{"interrupted", interruptedBanner(record.interrupted)}});
+  writeFileAtomically(output.file("results.json"), toJson(record, options).dump(1) + "\n");
+  writeFileAtomically(output.file("results.csv"), toCsv(record));
+  writeFileAtomically(output.file("report.html"), page);
 }
 
 }  // namespace
 
 void holdScene(HoldOptions& options) {
+  const InterruptGuard guard;
   HoldRecord record;
   record.size = parseSize(options.size);
   record.steps = parseLoads(options.loads, options.frames);
@@ -159,7 +170,8 @@ void holdScene(HoldOptions& options) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
   }
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
-  if (!options.out.empty()) makeOutputFolder(options.out);
+  std::optional<OutputFolder> output;
+  if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
 
   const window::HeadlessContext context(platformOf(options.platform));
   Stage stage(std::move(loaded), std::move(path), std::move(gazeSource));
@@ -188,11 +200,14 @@ void holdScene(HoldOptions& options) {
   }
   record.measures = control::measureHold(run);
   writeJson(options.json, toJson(record, options));
-  if (!options.out.empty()) writeFiles(record, options);
-  if (options.json == "-") return;
-  fmt::print("{}", summaryOf(record, options));
-  if (!options.out.empty()) {
-    fmt::print("report: {}\n", (std::filesystem::path(options.out) / "report.html").string());
+  if (output) writeFiles(record, options, *output);
+  if (options.json != "-") {
+    fmt::print("{}", summaryOf(record, options));
+    if (output) fmt::print("report: {}\n", (output->path() / "report.html").string());
+  }
+  if (!record.interrupted.empty()) {
+    throw Interrupted(fmt::format("interrupted: {}{}", record.interrupted,
+                                  output ? "; they are in " + options.out : ""));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "common.h"
 #include "engine/core/error.h"
+#include "engine/core/interrupt.h"
 #include "engine/settings/command_line.h"
 #include "macula_version.h"
 
@@ -42,6 +43,9 @@ int main(int argc, char** argv) {
   } catch (const macula::tools::Difference& error) {
     std::fprintf(stderr, "macula: %s\n", macula::oneLine(error.what()).c_str());
     return kDifference;
+  } catch (const macula::Interrupted& interrupted) {
+    std::fprintf(stderr, "macula: %s\n", macula::oneLine(interrupted.what()).c_str());
+    return macula::kInterruptedStatus;
   } catch (const macula::InputError& error) {
     std::fprintf(stderr, "macula: %s\n", error.what());
     return kBadInput;

@@ -11,6 +11,8 @@
 #include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/sha256.h"
 #include "engine/gaze/point_error.h"
 #include "engine/gaze/source.h"
@@ -42,7 +44,7 @@ passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
 
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
   const auto& summary = report["summary"];
-  fmt::print("{} frames of {} by {}: median {:.2f} ms", options.frames, options.scene,
+  fmt::print("{} frames of {} by {}: median {:.2f} ms", report["frames"].size(), options.scene,
              options.settings.oit.method, summary["ms"]["median"].get<double>());
   if (options.reference) fmt::print(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
   fmt::print("\nreport: {}\n", (std::filesystem::path(options.out) / "report.json").string());
@@ -52,10 +54,11 @@ void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& re
 
 void replay(ReplayOptions& options) {
   std::error_code error;
+  const InterruptGuard guard;
   if (std::filesystem::is_directory(options.scene, error)) return replayRecording(options);
   const auto begin = Clock::now();
   const glm::ivec2 size = parseSize(options.size);
-  makeOutputFolder(options.out);
+  OutputFolder output(options.out, "replay", options.force);
   const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   const auto trueGaze = gaze::parseGazeSpec(options.gaze, gaze::undelayed(options.gazeSettings));
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
@@ -94,7 +97,9 @@ void replay(ReplayOptions& options) {
     if (reference) reference->draw(path.at(0.0), first, false);
     if (turns) turns->draw(path.at(0.0), first, false);
     noteFirstFrame();
+    endIfInterrupted();
   }
+  endIfInterrupted();
 
   measure::FlickerMeter flicker;
   ProgressBar progress("replay", options.frames);
@@ -112,7 +117,7 @@ void replay(ReplayOptions& options) {
     record.index = i;
     record.timeSeconds = time;
     record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter.display().pixels)));
-    if (!options.images.empty()) painter.write(options.out, "frame", i, options.images);
+    if (!options.images.empty()) painter.write(output, "frame", i, options.images);
     if (turns) {
       turns->draw(camera, point, cut);
       turns->readBack();
@@ -122,18 +127,26 @@ void replay(ReplayOptions& options) {
       reference->draw(camera, point, cut);
       reference->readBack();
       compareWithReference(record, *reference, painter, options, flicker);
-      if (!options.images.empty()) reference->write(options.out, "reference", i, options.images);
+      if (!options.images.empty()) reference->write(output, "reference", i, options.images);
     }
     run.frames.push_back(std::move(record));
     previous = time;
     progress.advance();
+    if (interruptAsked()) break;
   }
+  progress.end();
+  run.interrupted = run.frames.size() < static_cast<std::size_t>(options.frames);
 
   describeRun(run, options.scene, options, machine, painter.renderer(), size);
   const nlohmann::ordered_json report = measure::toJson(run);
-  writeFileAtomically(std::filesystem::path(options.out) / "report.json", report.dump(2) + "\n");
+  const std::filesystem::path file = output.file("report.json");
+  writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options.json, report);
   if (options.json != "-") printSummary(options, report);
+  if (run.interrupted) {
+    throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",
+                                  run.frames.size(), options.frames, file.string()));
+  }
 }
 
 }  // namespace macula::tools

@@ -21,6 +21,7 @@ struct ReplayOptions {
   int frames = 60;
   std::string size = "1024x1024";
   std::string out;
+  bool force = false;  ///< --out may hold something else
   std::string images;  ///< "", "png" or "exr"
   std::string json;
   std::string platform = "auto";

@@ -14,9 +14,9 @@ namespace {
 
 /// What can be asked of a recording; everything else it answers itself.
 bool goesWithRecording(const CLI::Option& option) {
-  constexpr std::array<std::string_view, 9> kNames{"scene",       "--out",  "--images",
-                                                   "--reference", "--hdr",  "--json",
-                                                   "--platform",  "--help", "--pixels-per-degree"};
+  constexpr std::array<std::string_view, 10> kNames{
+      "scene", "--out",  "--force",    "--images", "--reference",
+      "--hdr", "--json", "--platform", "--help",   "--pixels-per-degree"};
   return std::find(kNames.begin(), kNames.end(), option.get_name()) != kNames.end();
 }
 
@@ -40,7 +40,7 @@ void addReplay(CLI::App& root) {
   command->add_option("--frames", o->frames, "Number of frames (default 60)")
       ->check(CLI::Range(1, kMaxFrames));
   command->add_option("--size", o->size, "WIDTHxHEIGHT (default 1024x1024)");
-  command->add_option("--out", o->out, "Folder for report.json and images")->required();
+  addOutOption(*command, o->out, o->force, "Folder for report.json and images")->required();
   command->add_option("--images", o->images, "Also write each frame")
       ->check(CLI::IsMember({"png", "exr"}));
   command->add_flag("--reference", o->reference,

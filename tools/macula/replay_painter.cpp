@@ -7,9 +7,9 @@
 
 namespace macula::tools {
 
-void Painter::write(const std::filesystem::path& folder, std::string_view stem, int index,
+void Painter::write(OutputFolder& folder, std::string_view stem, int index,
                     const std::string& format) const {
-  const auto path = folder / fmt::format("{}_{:05}.{}", stem, index, format);
+  const auto path = folder.file(fmt::format("{}_{:05}.{}", stem, index, format));
   if (format == "png") image::writePng(path, display_);
   if (format == "exr") image::writeExr(path, linear_);
 }

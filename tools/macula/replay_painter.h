@@ -1,11 +1,11 @@
 // What every replay draws with: a renderer with its images, and the records of its frames.
 #pragma once
 
-#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 
+#include "engine/core/output_folder.h"
 #include "engine/image/image.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/run_record.h"
@@ -37,7 +37,7 @@ class Painter {
     if (linearOut_) renderer_.readLinear(linear_.pixels);
   }
   /// Writes FOLDER/STEM_INDEX.png or .exr.
-  void write(const std::filesystem::path& folder, std::string_view stem, int index,
+  void write(OutputFolder& folder, std::string_view stem, int index,
              const std::string& format) const;
   /// Pixels of the following frames. Invalidates history.
   void resize(glm::ivec2 size) {

@@ -12,6 +12,8 @@
 #include "engine/control/law.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/core/sha256.h"
 #include "engine/recording/reader.h"
 #include "engine/recording/scene_source.h"
@@ -38,10 +40,11 @@ struct HashCount {
 /// Draws the frames of a recording in their order.
 class Session {
  public:
-  Session(ReplayOptions& options, const recording::Recording& recording);
+  Session(ReplayOptions& options, const recording::Recording& recording, OutputFolder& output);
 
   void draw(const recording::Frame& frame);
-  /// Writes the report. @throws Difference where images differ
+  /// Writes the report.
+  /// @throws Interrupted where not all frames were drawn @throws Difference where images differ
   void finish();
 
  private:
@@ -58,6 +61,7 @@ class Session {
   }
 
   ReplayOptions& options_;
+  OutputFolder& output_;
   const recording::Recording& recording_;
   Clock::time_point begin_ = Clock::now();
   passes::RenderSettings referenceSettings_;
@@ -73,8 +77,12 @@ class Session {
   std::set<std::string> unknown_;  ///< settings that were left out
 };
 
-Session::Session(ReplayOptions& options, const recording::Recording& recording)
-    : options_(options), recording_(recording), context_(platformOf(options.platform)) {
+Session::Session(ReplayOptions& options, const recording::Recording& recording,
+                 OutputFolder& output)
+    : options_(options),
+      output_(output),
+      recording_(recording),
+      context_(platformOf(options.platform)) {
   options.settings.tonemap.linearOut = options.reference || options.images == "exr";
   apply(recording.session.settings);
   if (!recording.session.environmentSha256.empty()) {
@@ -148,14 +156,14 @@ void Session::draw(const recording::Frame& frame) {
   record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
   compareHash(frame, result, record.imageSha256);
   if (!options_.images.empty()) {
-    painter_->write(options_.out, "frame", record.index, options_.images);
+    painter_->write(output_, "frame", record.index, options_.images);
   }
   if (reference_) {
     reference_->draw(frame.camera, frame.gaze, frame.cut);
     reference_->readBack();
     compareWithReference(record, *reference_, *painter_, options_, *flicker_);
     if (!options_.images.empty()) {
-      reference_->write(options_.out, "reference", record.index, options_.images);
+      reference_->write(output_, "reference", record.index, options_.images);
     }
   }
   run_.frames.push_back(std::move(record));
@@ -179,20 +187,25 @@ void Session::finish() {
   const recording::Session& session = recording_.session;
   describeRun(run_, session.scene.name, options_, machine_, painter_->renderer(),
               painter_->renderer().outputSize());
+  run_.interrupted = run_.frames.size() < recording_.frames.size();
   nlohmann::ordered_json report = measure::toJson(run_);
   report["recording"] = {
       {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
       {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},
       {"hashes_equal", hashes_.equal},      {"first_difference", nullptr}};
   if (hashes_.firstDifference) report["recording"]["first_difference"] = *hashes_.firstDifference;
-  const auto file = std::filesystem::path(options_.out) / "report.json";
+  const std::filesystem::path file = output_.file("report.json");
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options_.json, report);
   if (options_.json != "-") {
     fmt::print("{} frames of {} as recorded: median {:.2f} ms; {} of {} image hashes equal\n",
-               recording_.frames.size(), oneLine(session.scene.name),
+               run_.frames.size(), oneLine(session.scene.name),
                report["summary"]["ms"]["median"].get<double>(), hashes_.equal, hashes_.compared);
     fmt::print("report: {}\n", file.string());
+  }
+  if (run_.interrupted) {
+    throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",
+                                  run_.frames.size(), recording_.frames.size(), file.string()));
   }
   if (!hashes_.firstDifference) return;
   throw Difference(fmt::format(
@@ -229,13 +242,16 @@ void replayRecording(ReplayOptions& options) {
               (std::filesystem::path(options.scene) / recording::kFramesFile).string());
   }
   checkLevers(recording, options.scene);
-  makeOutputFolder(options.out);
-  Session session(options, recording);
+  OutputFolder output(options.out, "replay", options.force);
+  Session session(options, recording, output);
+  endIfInterrupted();
   ProgressBar progress("replay", static_cast<int>(recording.frames.size()));
   for (const recording::Frame& frame : recording.frames) {
     session.draw(frame);
     progress.advance();
+    if (interruptAsked()) break;
   }
+  progress.end();
   session.finish();
 }
 

@@ -57,7 +57,7 @@ void addFeatures(CLI::App& root) {
     command->add_option("--" + std::string(kSplits[i]), o->scenes[i],
                         "Scenes of this split: files or procedural names");
   }
-  command->add_option("--out", o->out, "Folder; one file a scene, in a folder for each split")
+  addOutOption(*command, o->out, o->force, "Folder; one file a scene, in a folder for each split")
       ->required();
   command->add_option("--size", o->size, "WIDTHxHEIGHT of a view (default 256x256)");
   command

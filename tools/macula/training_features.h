@@ -22,6 +22,7 @@ struct FeaturesOptions {
   double sample = 0.13;  ///< share of the covered pixels (Tsopouridis 2021, section 4.2.3)
   std::vector<double> shares{0.1, 0.2, 0.3, 0.4, 0.5};  ///< budgets, of all fragments of a view
   std::filesystem::path out;
+  bool force = false;  ///< it may hold something else
   std::string platform = "auto";
   std::string json;
   settings::Registry registry;

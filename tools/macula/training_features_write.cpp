@@ -7,6 +7,8 @@
 #include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
+#include "engine/core/output_folder.h"
 #include "engine/dataset/npz.h"
 #include "engine/experiment/tone_curve.h"
 #include "engine/measure/oracle.h"
@@ -199,6 +201,8 @@ void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows
 
 void writeFeatures(const FeaturesOptions& o) {
   const std::vector<FeaturesScene> scenes = scenesOf(o);
+  const InterruptGuard guard;
+  OutputFolder output(o.out, "features", o.force);
   // Before minutes of rendering, not after.
   for (const FeaturesScene& scene : scenes) makeOutputFolder(scene.file.parent_path());
   const window::HeadlessContext context(platformOf(o.platform));
@@ -206,6 +210,7 @@ void writeFeatures(const FeaturesOptions& o) {
   nlohmann::ordered_json written = nlohmann::ordered_json::array();
   ProgressBar progress("features", static_cast<int>(scenes.size()) * o.views);
   for (const FeaturesScene& scene : scenes) {
+    if (interruptAsked()) break;
     const LoadedScene loaded = loadForRendering(scene.scene, o.settings);
     const scene::GpuScene gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr);
     if (gpu.facts().transparentTriangles == 0) {
@@ -214,16 +219,25 @@ void writeFeatures(const FeaturesOptions& o) {
     Rows rows;
     SceneViews views(o, machine, gpu);
     const std::vector<scene::Camera> cameras = camerasOf(loaded.scene, o.views);
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t i = 0; i < cameras.size() && !interruptAsked(); ++i) {
       views.addView(rows, i, cameras[i]);
       progress.advance();
     }
+    if (rows.viewFragments.size() < cameras.size()) break;
+    if (written.empty()) output.begin();  // scenes of earlier calls stay
     writeScene(o, scene, rows);
     written.push_back(
         {{"file", scene.file.string()}, {"split", scene.split}, {"pixels", rows.pixel.size()}});
     if (o.json != "-") fmt::print("{}: {} pixels\n", scene.file.string(), rows.pixel.size());
   }
-  writeJson(o.json, {{"scenes", written}});
+  progress.end();
+  if (written.empty()) endIfInterrupted();
+  const bool interrupted = written.size() < scenes.size();
+  writeJson(o.json, {{"interrupted", interrupted}, {"scenes", written}});
+  if (interrupted) {
+    throw Interrupted(fmt::format("interrupted: {} of {} scenes are in {}", written.size(),
+                                  scenes.size(), o.out.string()));
+  }
 }
 
 }  // namespace macula::tools
