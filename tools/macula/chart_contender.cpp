@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "engine/experiment/picture.h"
 #include "engine/measure/error_maps.h"
 #include "engine/measure/image_error.h"
 
@@ -148,7 +147,10 @@ void describeImage(Point& point, const image::Image8& shown, const image::ImageF
     return;
   }
   const std::string difference = "images/" + stem + "_difference.png";
-  image::writePng(folder / difference, experiment::differenceMap(reference.shown, shown, scale));
+  const measure::DifferenceMap map = measure::differenceMap(
+      reference.display, display, scale > 0.0 ? std::optional<double>(scale) : std::nullopt);
+  image::writePng(folder / difference, map.image);
+  point["difference_white"] = map.white;
   point["images"]["difference"] = difference;
   point["images"]["reference"] = reference.file;
   measure::CompareOptions viewer;
