@@ -319,7 +319,7 @@ function openViewer(point) {
     : white === 0 ? 'No difference from the exact picture'
     : `Difference from the exact picture: R, G and B each times ${shown(1 / white)}`;
   viewer.querySelector('.scale').replaceChildren(...(white > 0 ? [colourBar('linear-gradient(to right,#000,#fff)', '0',
-    `${shown(white)} of 1 and more` + (data.difference_scale === null ? ' (99th percentile)' : ''))] : []));
+    `${shown(white)} and more, of 1` + (data.difference_scale === null ? ' (99th percentile)' : ''))] : []));
   const flip = viewer.querySelector('.flip');
   flip.hidden = !images.flip;
   flip.replaceChildren(...(images.flip ? [element('img', {src: data.pictures[images.flip], alt: 'FLIP map'}),
