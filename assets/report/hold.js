@@ -60,8 +60,9 @@ function drawBands(plot) {
   const context = plot.ctx;
   context.save();
   for (const [share, alpha] of [[data.gate.tolerance, '1f'], [0.05, '2e']]) {
-    const top = plot.valToPos(target * (1 + share), 'y', true);
-    const bottom = plot.valToPos(target * (1 - share), 'y', true);
+    const inside = y => Math.min(Math.max(y, plot.bbox.top), plot.bbox.top + plot.bbox.height);
+    const top = inside(plot.valToPos(target * (1 + share), 'y', true));
+    const bottom = inside(plot.valToPos(target * (1 - share), 'y', true));
     context.fillStyle = IDEAL + alpha;
     context.fillRect(plot.bbox.left, top, plot.bbox.width, bottom - top);
   }
