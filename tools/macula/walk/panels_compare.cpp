@@ -68,11 +68,8 @@ void drawResult(const ErrorCheck& errors, Requests& requests) {
     requests.push_back({Action::ShowMap, mapNames()[*pressed]});
   }
   if (errors.map() == ErrorCheck::Map::Difference) {
-    ui::note(
-        error.max == 0.0
-            ? std::string("no difference in the view that was measured")
-            : fmt::format("|difference| of R, G, B times {:.4g}, of the view that was measured",
-                          result.differenceScale));
+    ui::note(fmt::format("|difference| of R, G, B times {:g}, of the view that was measured",
+                         result.differenceScale));
   }
   if (errors.map() == ErrorCheck::Map::Flip) {
     ui::note("FLIP from 0 (black) to 1 (light yellow), of the view that was measured");
