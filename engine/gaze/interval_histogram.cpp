@@ -58,6 +58,20 @@ double IntervalHistogram::median() const {
   return median;
 }
 
+double IntervalHistogram::mean(double least, double most) const {
+  double sum = 0.0;
+  std::uint64_t count = 0;
+  forEachBin([&](const Bin& bin) {
+    const double step = bin.sum / static_cast<double>(bin.count);
+    if (step > most) return false;
+    if (step < least) return true;
+    sum += bin.sum;
+    count += bin.count;
+    return true;
+  });
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 double IntervalHistogram::deviation(double limitSeconds) const {
   double weight = 0.0;
   double mean = 0.0;

@@ -22,6 +22,8 @@ class IntervalHistogram {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// The upper median in seconds; 0 where nothing was added.
   [[nodiscard]] double median() const;
+  /// The mean of the steps whose bins lie in an interval, in seconds; 0 where there are none.
+  [[nodiscard]] double mean(double least, double most) const;
   /// Standard deviation, in seconds, of the steps up to a limit; 0 where there are none.
   [[nodiscard]] double deviation(double limitSeconds) const;
 

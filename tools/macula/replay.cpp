@@ -18,6 +18,7 @@
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
 #include "engine/measure/run_record.h"
+#include "gaze_report.h"
 #include "passes/frame_renderer.h"
 #include "replay_painter.h"
 #include "replay_recording.h"
@@ -62,6 +63,8 @@ void replay(ReplayOptions& options) {
   for (const std::string& warning : loaded.scene.warnings) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
   }
+  const FollowedGaze followed(*gazeSource, options.gazeSettings);
+  followed.printWarnings();
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
 
   passes::RenderSettings settings = options.settings;
@@ -105,8 +108,9 @@ void replay(ReplayOptions& options) {
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
     measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
-    record.gazeErrorDegrees =
-        gaze::pointError(point, trueGaze->at(time), options.gazeSettings.display);
+    if (followed.hasDegrees()) {
+      record.gazeErrorDegrees = gaze::pointError(point, trueGaze->at(time), followed.display());
+    }
     noteFirstFrame();
     painter.readBack();
     record.index = i;
@@ -130,9 +134,12 @@ void replay(ReplayOptions& options) {
   }
 
   describeRun(run, options.scene, options, machine, painter.renderer(), size);
-  const nlohmann::ordered_json report = measure::toJson(run);
+  nlohmann::ordered_json report = measure::toJson(run);
+  report["gaze_log"] = followed.toJson();
+  report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
   writeFileAtomically(std::filesystem::path(options.out) / "report.json", report.dump(2) + "\n");
   writeJson(options.json, report);
+  followed.printEnd(options.fps, options.frames);
   if (options.json != "-") printSummary(options, report);
 }
 

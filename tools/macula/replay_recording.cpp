@@ -180,6 +180,9 @@ void Session::finish() {
   describeRun(run_, session.scene.name, options_, machine_, painter_->renderer(),
               painter_->renderer().outputSize());
   nlohmann::ordered_json report = measure::toJson(run_);
+  report["gaze_log"] = nullptr;
+  report["summary"]["gaze_error_deg"]["basis"] =
+      "none: a recording holds the point of interest, not where the eye was";
   report["recording"] = {
       {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
       {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},
