@@ -82,8 +82,9 @@ const LogFormat& formatFor(std::string_view header, const LogContext& context) {
   }
   if (isNumbers(header)) {
     failInput(
-        "{}: numbers without a header; a BIDS recording needs its JSON beside it, or give "
-        "--gaze.sidecar FILE.json",
+        "{}: numbers without a header; a BIDS recording needs its JSON, as NAME.json beside "
+        "NAME.tsv, "
+        "or give --gaze.sidecar FILE.json",
         context.where());
   }
   failInput("{}: not the first line of a gaze log; give one of {}", context.where(), known);

@@ -91,8 +91,8 @@ TEST(Bids, WhatTheJsonDoesNotSayIsAskedFor) {
             "log.csv: line 1: pixels of a screen whose size is not said; give --gaze.screen "
             "WIDTHxHEIGHT, or write ScreenResolution into its JSON");
   EXPECT_EQ(errorOfLog(rows, {.format = "bids"}),
-            "log.csv: line 1: a BIDS recording needs its JSON beside it; copy it there or give "
-            "--gaze.sidecar FILE.json");
+            "log.csv: line 1: a BIDS recording needs its JSON, as NAME.json beside NAME.tsv; copy "
+            "it there or give --gaze.sidecar FILE.json");
   EXPECT_EQ(errorOfLog(rows, {.format = "bids"}, "{\"Columns\": 5"),
             "log.csv: line 1: the JSON beside it lists no 'x_coordinate' in 'Columns'; check it");
   EXPECT_EQ(

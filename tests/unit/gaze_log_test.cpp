@@ -128,9 +128,10 @@ TEST(GazeLogFile, WhatIsNoGazeLogIsRefusedInOneLine) {
   EXPECT_TRUE(errorOf("\n\nid,name\n1,bob\n")
                   .starts_with("log.csv: line 3: not the first line of a gaze log; give one of "
                                "macula-csv (time_s,x,y,valid), tobii-studio "));
-  EXPECT_EQ(errorOf("1\t2\t3\n4\t5\t6\n"),
-            "log.csv: line 1: numbers without a header; a BIDS recording needs its JSON beside it, "
-            "or give --gaze.sidecar FILE.json");
+  EXPECT_EQ(
+      errorOf("1\t2\t3\n4\t5\t6\n"),
+      "log.csv: line 1: numbers without a header; a BIDS recording needs its JSON, as NAME.json "
+      "beside NAME.tsv, or give --gaze.sidecar FILE.json");
   EXPECT_EQ(errorOf(std::string(200000, 'a')),
             "log.csv: line 1: longer than 65536 bytes, so not a gaze log; check the file");
   EXPECT_EQ(errorOf("time_s,x,y,valid\n0,0.5,0.5,1\n" + std::string(70000, '7')),

@@ -276,8 +276,8 @@ bool isBids(std::string_view /*header*/, const LogContext& context) {
 std::unique_ptr<LogParser> openBids(std::string_view /*header*/, const LogContext& context) {
   if (context.sidecar.empty()) {
     failInput(
-        "{}: a BIDS recording needs its JSON beside it; copy it there or give --gaze.sidecar "
-        "FILE.json",
+        "{}: a BIDS recording needs its JSON, as NAME.json beside NAME.tsv; copy it there or give "
+        "--gaze.sidecar FILE.json",
         context.where());
   }
   const Json json = parseJson(context.sidecar);
