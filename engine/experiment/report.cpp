@@ -64,6 +64,7 @@ nlohmann::ordered_json toJson(const Results& results) {
           {"studies", studies},
           {"variants", variants},
           {"skipped", skipped},
+          {"warnings", results.warnings},
           {"targets", toJson(std::span<const TargetRow>(results.targets))},
           {"points", results.points},
           {"experiment", experiment.text}};

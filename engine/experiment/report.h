@@ -33,6 +33,7 @@ struct Results {
   std::vector<Point> points;
   std::vector<TargetRow> targets;
   std::vector<Skipped> skipped;
+  std::vector<std::string> warnings = {};  ///< of the gaze logs that studies name
 };
 
 /// results.json; README.md of this folder has its keys.

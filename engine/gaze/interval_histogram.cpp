@@ -58,18 +58,17 @@ double IntervalHistogram::median() const {
   return median;
 }
 
-double IntervalHistogram::mean(double least, double most) const {
-  double sum = 0.0;
-  std::uint64_t count = 0;
+IntervalHistogram::Steps IntervalHistogram::within(double least, double most) const {
+  Steps steps;
   forEachBin([&](const Bin& bin) {
     const double step = bin.sum / static_cast<double>(bin.count);
     if (step > most) return false;
     if (step < least) return true;
-    sum += bin.sum;
-    count += bin.count;
+    steps.count += bin.count;
+    steps.seconds += bin.sum;
     return true;
   });
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return steps;
 }
 
 double IntervalHistogram::deviation(double limitSeconds) const {

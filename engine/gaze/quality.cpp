@@ -14,8 +14,8 @@ constexpr double kJitterMedians = 2.0;
 constexpr double kStepTolerance = 1e-8;
 // A median of this many ticks is within 0.05 % of what it stands for.
 constexpr double kFineTicks = 1000.0;
-// Above 1 kHz a clock of milliseconds shows a time twice in each few; a slip does so rarely.
-constexpr std::size_t kOftenRepeated = 20;
+// A length of steps that is more seldom than one in so many comes from slips and losses.
+constexpr std::size_t kRare = 20;
 // Slower than any pursuit, faster than any eye.
 constexpr settings::Range kThresholds{.min = 1.0, .max = 1000.0};
 
@@ -61,17 +61,29 @@ void ClockTick::note(double step) {
 }
 
 /// The nominal time between two samples. A clock of whole milliseconds gives 60 Hz as 16 and 17 ms,
-/// of which the median is one and the mean the truth; lost samples make steps of two intervals and
+/// of which the median is one and the mean the truth. Lost samples make steps of two intervals and
 /// more, and stay out of the mean.
 double QualityMeter::interval() const {
+  using Steps = IntervalHistogram::Steps;
   const double median = intervals_.median();
   const double tick = tick_.seconds();
   if (tick == 0.0 || median > (kFineTicks - 0.5) * tick) return median;
-  const double mean = intervals_.mean(0.5 * median, 1.5 * median);
-  const std::size_t steps = intervals_.count();
-  const bool fasterThanTick = median < 1.5 * tick && repeatedTimes_ * kOftenRepeated >= steps;
-  if (!fasterThanTick) return mean;
-  return mean * static_cast<double>(steps) / static_cast<double>(steps + repeatedTimes_);
+  const double ticks = std::round(median / tick);
+  const auto between = [&](double from, double to) {
+    return intervals_.within((from - 0.25) * tick, (to + 0.25) * tick);
+  };
+  const auto mean = [](const Steps& a, const Steps& b) {
+    return (a.seconds + b.seconds) / static_cast<double>(a.count + b.count);
+  };
+  if (ticks > 2.0) return mean(between(0.5 * ticks, 1.5 * ticks), {});
+  // A step of one interval and one of two may differ by a tick: only the two lengths that a steady
+  // tracker makes count, at 1200 Hz 1 ms and 0, a time that stands twice.
+  const Steps same = between(ticks, ticks);
+  const Steps longer = between(ticks + 1.0, ticks + 1.0);
+  const Steps shorter =
+      ticks > 1.0 ? between(ticks - 1.0, ticks - 1.0) : Steps{repeatedTimes_, 0.0};
+  const Steps& other = shorter.count >= longer.count ? shorter : longer;
+  return other.count * kRare < same.count ? median : mean(same, other);
 }
 
 void QualityMeter::countFrozen(const GazeSample& sample) {

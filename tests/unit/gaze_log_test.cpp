@@ -143,8 +143,8 @@ TEST(GazeLogFile, WhatIsNoGazeLogIsRefusedInOneLine) {
             "out, or give macula-csv");
   EXPECT_EQ(errorOf("a,b\n1,2\n", "tobii-studio"),
             "log.csv: line 1: column 'GazePointX' is missing; export it too");
-  EXPECT_EQ(errorOf("ID,NAME\n1,2\n", "eyelink"),
-            "log.csv: line 1: no gaze sample follows the header; record or export again, or leave "
+  EXPECT_EQ(errorOf("ID,NAME\nA,B\n", "eyelink"),
+            "log.csv: line 2: no gaze sample follows the header; record or export again, or leave "
             "out gaze.format where it is not eyelink");
   EXPECT_EQ(errorOf("time_s,x,y,valid\n1\n2\n"),
             "log.csv: line 2: 1 cell under a header of 4; write '.' as decimal mark, ',' between");

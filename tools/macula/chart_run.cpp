@@ -12,7 +12,6 @@
 #include "chart_path.h"
 #include "engine/core/error.h"
 #include "engine/gaze/source.h"
-#include "gaze_report.h"
 
 namespace macula::tools {
 namespace {
@@ -77,7 +76,8 @@ class LoadedGroup {
         loaded_(load()),
         gpu_(loaded_.scene, loaded_.environment ? &*loaded_.environment : nullptr),
         camera_(parseCameraSpec(study_.camera, loaded_.scene)),
-        stage_{run.machine, gpu_, camera_.at(0.0), firstGaze(),
+        stage_{run.machine, gpu_, camera_.at(0.0),
+               glm::vec2(gaze::parseGazeSpec(study_.gaze)->at(0.0).position),
                glm::ivec2(group.size.width, group.size.height)} {
     loaded_ = {};  // it is in GPU memory now
     drawReference();
@@ -92,14 +92,6 @@ class LoadedGroup {
   }
 
  private:
-  glm::vec2 firstGaze() {
-    const auto source = gaze::parseGazeSpec(study_.gaze);
-    for (const std::string& warning : FollowedGaze(*source, {}).warnings()) {
-      if (run_.warnings.insert(warning).second) fmt::print(stderr, "warning: {}\n", warning);
-    }
-    return source->at(0.0).position;
-  }
-
   LoadedScene load() {
     VariantSettings shared;
     shared.applyGroup(run_.experiment, group_);

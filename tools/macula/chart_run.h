@@ -2,9 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "common.h"
@@ -24,7 +22,6 @@ struct ChartRun {
   std::size_t kept = 0;                           ///< points that were there already
   std::size_t measured = 0;
   bool interrupted = false;
-  std::set<std::string> warnings = {};  ///< of gaze logs, that were said
 };
 
 /// Measures every batch of `groups` that is not in the points file, and appends it when it is
