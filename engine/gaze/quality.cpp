@@ -67,7 +67,7 @@ double QualityMeter::interval() const {
   using Steps = IntervalHistogram::Steps;
   const double median = intervals_.median();
   const double tick = tick_.seconds();
-  if (tick == 0.0 || median > (kFineTicks - 0.5) * tick) return median;
+  if (median == 0.0 || tick == 0.0 || median > (kFineTicks - 0.5) * tick) return median;
   const double ticks = std::round(median / tick);
   const auto between = [&](double from, double to) {
     return intervals_.within((from - 0.25) * tick, (to + 0.25) * tick);
