@@ -18,6 +18,7 @@ function fillHeader() {
     `and once with r = ${shown(data.fixed.r)}, the mean of the ideals, which shows what the machine does by itself.`;
   const facts = [['commit', data.commit], ['size', `${data.width} × ${data.height}`], ['GL', data.gl.renderer],
     ['clock', data.time_source], ['frames', data.frames]];
+  for (const warning of data.gaze_log?.warnings ?? []) facts.push(['gaze', warning]);
   const list = document.getElementById('provenance');
   for (const [name, value] of facts) {
     list.append(element('div', {}, element('dt', {}, name), element('dd', {}, String(value))));

@@ -42,6 +42,7 @@ function fillHeader() {
     Rounds: `${[...new Set(data.studies.map(s => s.frames))].join(', ')} after ${data.warm_up_rounds} of warm-up`,
     Points: `${count('measured')} measured, ${count('oracle')} by oracles, ${count('refused')} refused`,
   };
+  if (data.warnings.length > 0) facts.Gaze = data.warnings.join('; ');
   document.getElementById('provenance').append(...Object.entries(facts).map(([name, value]) =>
     element('div', {}, element('dt', {}, name), element('dd', {}, value))));
   document.querySelector('#experiment pre').textContent = data.experiment;

@@ -65,6 +65,7 @@ nlohmann::ordered_json toJson(const Results& results) {
           {"variants", variants},
           {"interrupted", !results.interrupted.empty()},
           {"skipped", skipped},
+          {"warnings", results.warnings},
           {"targets", toJson(std::span<const TargetRow>(results.targets))},
           {"points", results.points},
           {"experiment", experiment.text}};

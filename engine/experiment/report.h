@@ -34,6 +34,7 @@ struct Results {
   std::vector<TargetRow> targets;
   std::vector<Skipped> skipped;
   std::string interrupted = {};  ///< how far it came; empty: all points were seen to
+  std::vector<std::string> warnings = {};  ///< of the gaze logs that studies name
 };
 
 /// results.json; README.md of this folder has its keys.

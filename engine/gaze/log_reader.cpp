@@ -17,6 +17,7 @@
 #include "engine/core/file.h"
 #include "engine/gaze/byte_source.h"
 #include "engine/gaze/cells.h"
+#include "engine/gaze/foreign_file.h"
 #include "engine/gaze/line_reader.h"
 #include "engine/gaze/log_format.h"
 
@@ -76,7 +77,7 @@ struct Sidecars {
 };
 
 Sidecars sidecarsOf(const std::filesystem::path& path, const LogOptions& options) {
-  if (!options.sidecar.empty() && !std::filesystem::exists(options.sidecar)) {
+  if (!options.sidecar.empty() && !std::filesystem::is_regular_file(options.sidecar)) {
     failInput("gaze.sidecar '{}': no such file; check the path", oneLine(options.sidecar));
   }
   const std::string file = path.string();
@@ -149,6 +150,10 @@ class GazeLogReader::Impl {
     if (!nextRow(header)) {
       failInput("{}: line 1: the file is empty; give a gaze log", head_.name);
     }
+    // What looked like UTF-16 may still be binary data.
+    if (const auto foreign = foreignBytes(header.substr(0, kForeignBytes))) {
+      failInput("{}: {}", head_.name, *foreign);
+    }
     const LogContext context{head_, options_, lines_.number(), sidecars_.columns,
                              sidecars_.stimulus};
     const LogFormat& format = formatFor(header, context);
@@ -202,8 +207,11 @@ class GazeLogReader::Impl {
     ended_ = true;
     if (samples_ == 0) {
       if (problem_) failInput("{}: line {}: {}", head_.name, problemLine_, *problem_);
-      failInput("{}: line {}: no gaze sample follows the header; record or export again",
-                head_.name, lines_.number());
+      failInput("{}: line {}: no gaze sample follows the header; record or export again{}",
+                head_.name, lines_.number(),
+                options_.format == "auto"
+                    ? ""
+                    : fmt::format(", or leave out gaze.format where it is not {}", head_.format));
     }
     if (problem_) ++head_.counters.truncatedRows;
   }

@@ -50,6 +50,9 @@ refuses "k_ave not a number" k-ave replay layers-2 --k-ave nan
 refuses "unreadable log" nowhere.csv replay layers-2 --gaze nowhere.csv
 refuses "empty log" empty.csv replay layers-2 --gaze empty.csv
 refuses "no gaze log" garbage.csv replay layers-2 --gaze garbage.csv
+refuses "scene as gaze" "a glTF scene, not a gaze log" replay layers-2 --gaze good.glb
+printf 'time_s,x,y,valid\n0,0.5,0.5,1\n' >log.csv
+refuses "format that is not the file's" "but the file is macula-csv" replay layers-2 --gaze log.csv --gaze.format eyelink
 refuses "gaze off the window" 1.5 replay layers-2 --gaze 1.5,0.5
 refuses "no camera path" nowhere.csv replay layers-2 --camera nowhere.csv
 refuses "no environment" nowhere.hdr replay layers-2 --environment nowhere.hdr

@@ -161,6 +161,11 @@ def test_scenes():
     check(numbers["scene"] == "two.glb", "a dropped scene is shown")
     check(numbers["gaze"]["source"].endswith("gallery_gaze.csv") and
           numbers["gaze"]["state"] == "ok", "a dropped gaze log is followed")
+    with open("core.csv", "w", encoding="utf-8") as f:
+        f.write("gaze_timestamp,confidence,norm_pos_x,norm_pos_y\n1,1,0.25,0.75\n")
+    numbers, _ = walk("scene-camera", "1 drop core.csv\n", gaze="mouse")
+    check("scene camera" in numbers["message"] and len(numbers["gaze"]["warnings"]) == 1,
+          "gaze of a scene camera is announced")
     done = start("first", "", "nowhere.glb", "--frames", "1")
     check(done.returncode == 2 and len(done.stderr.strip().splitlines()) == 1,
           "without a first scene: one line and status 2")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <set>
 #include <span>
 #include <thread>
 
@@ -18,7 +19,9 @@
 #include "engine/core/output_folder.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
+#include "engine/gaze/source.h"
 #include "engine/settings/toml_file.h"
+#include "gaze_report.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -102,6 +105,27 @@ Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& m
     add(study.gaze);
   }
   return fingerprint;
+}
+
+/// What is to be known of the gaze logs that studies name; those that cannot be read are left out
+/// by the run itself, with the reason.
+std::vector<std::string> gazeWarnings(const Experiment& experiment) {
+  const gaze::GazeSettings settings;
+  std::vector<std::string> all;
+  std::set<std::string> names;
+  for (const Study& study : experiment.studies) names.insert(study.gaze);
+  for (const std::string& name : names) {
+    try {
+      const auto source = gaze::parseGazeSpec(name);
+      for (std::string& warning : FollowedGaze(*source, settings).warnings()) {
+        fmt::print(stderr, "warning: {}\n", warning);
+        all.push_back(std::move(warning));
+      }
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return all;
 }
 
 std::string processorName() {
@@ -202,6 +226,7 @@ void chart(const ChartOptions& options) {
 
   Results results{
       &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
+  results.warnings = gazeWarnings(experiment);
   results.targets = judge(experiment, results.points);
   if (run.interrupted) {
     if (results.points.empty()) endIfInterrupted();

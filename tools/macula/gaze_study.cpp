@@ -11,8 +11,10 @@
 #include "engine/core/output_folder.h"
 #include "engine/core/page.h"
 #include "engine/gaze/point_error.h"
+#include "engine/gaze/viewing.h"
 #include "engine/measure/statistics.h"
 #include "engine/settings/command_line.h"
+#include "gaze_report.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -58,17 +60,27 @@ Json statistics(const std::vector<double>& errors) {
 
 /// The points that were finished; fewer than asked for only where the run was interrupted.
 Json studyOf(const std::string& file, const Options& options, ProgressBar& progress) {
-  const gaze::GazeLog log = gaze::readGazeLog(file, gaze::logOptionsOf(options.settings));
-  const gaze::LandingErrors landing = gaze::landingErrors(log, options.settings);
+  const gaze::LogOptions logOptions = gaze::logOptionsOf(options.settings);
+  const gaze::GazeLog log = gaze::readGazeLog(file, logOptions);
+  const gaze::Viewing viewing = viewingOf(log, logOptions);
+  if (!viewing.hasDegrees) failInput("{}: {}", oneLine(file), gaze::kNoDegrees);
+  for (const std::string& warning : viewing.warnings) {
+    fmt::print(stderr, "warning: {}: {}\n", oneLine(file), warning);
+  }
+  gaze::GazeSettings known = options.settings;
+  known.display = viewing.display.display;
+  const gaze::LandingErrors landing = gaze::landingErrors(log, known);
   Json points = Json::array();
   for (const Way& way : kWays) {
     for (const double latency : options.latenciesMs) {
       if (interruptAsked()) break;
-      gaze::GazeSettings settings = options.settings;
+      gaze::GazeSettings settings = known;
       settings.pipeline.filter = way.filter;
       settings.pipeline.prediction = way.prediction;
       settings.latencyMs = latency;
-      Json point{{"way", way.name}, {"latency_ms", latency}};
+      Json point{{"way", way.name},
+                 {"latency_ms", latency},
+                 {"zero_by_definition", gaze::isUndelayed(settings)}};
       point["error_deg"] = statistics(gaze::pointErrors(log, settings, options.fps));
       points.push_back(std::move(point));
       progress.advance();
@@ -76,6 +88,10 @@ Json studyOf(const std::string& file, const Options& options, ProgressBar& progr
   }
   return {{"log", fs::path(file).filename().string()},
           {"format", log.format},
+          {"coordinates", describe(log.coordinates)},
+          {"display", toJson(viewing.display)},
+          {"display_statement", describe(viewing.display)},
+          {"warnings", viewing.warnings},
           {"points", points},
           {"landing_error_deg",
            {{"predicted", statistics(landing.predicted)},
@@ -84,14 +100,14 @@ Json studyOf(const std::string& file, const Options& options, ProgressBar& progr
 
 std::string csvOf(const Json& results) {
   const auto text = [](const Json& value) { return value.is_null() ? "" : value.dump(); };
-  std::string csv = "log,way,latency_ms,frames,mean_deg,median_deg,p95_deg\n";
+  std::string csv = "log,way,latency_ms,frames,mean_deg,median_deg,p95_deg,display\n";
   for (const Json& log : results["logs"]) {
     for (const Json& point : log["points"]) {
       const Json& error = point["error_deg"];
-      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", log["log"].get<std::string>(),
+      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{},\"{}\"\n", log["log"].get<std::string>(),
                          point["way"].get<std::string>(), text(point["latency_ms"]),
                          text(error["frames"]), text(error["mean"]), text(error["median"]),
-                         text(error["p95"]));
+                         text(error["p95"]), log["display_statement"].get<std::string>());
     }
   }
   return csv;

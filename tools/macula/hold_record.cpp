@@ -87,6 +87,7 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
                     {"interrupted", !record.interrupted.empty()},
                     {"frames", record.held.size()},
                     {"settings", options.registry.toJson()}};
+  json["gaze_log"] = record.gazeLog;
   if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;
   if (options.targetShare) json["target_share"] = *options.targetShare;
   json["loads"] = ordered_json::array();

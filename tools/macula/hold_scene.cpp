@@ -12,6 +12,7 @@
 #include "engine/gaze/source.h"
 #include "engine/measure/statistics.h"
 #include "frame_control.h"
+#include "gaze_report.h"
 #include "hold.h"
 #include "hold_record.h"
 #include "passes/frame_renderer.h"
@@ -169,6 +170,9 @@ void holdScene(HoldOptions& options) {
   for (const std::string& warning : loaded.scene.warnings) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
   }
+  const FollowedGaze followed(*gazeSource, options.gazeSettings);
+  followed.printWarnings();
+  record.gazeLog = followed.toJson();
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
   std::optional<OutputFolder> output;
   if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
@@ -193,6 +197,7 @@ void holdScene(HoldOptions& options) {
   // The other renderer compiles and grows, too, before its times count.
   drawStill(fixed, stage, loadAt(record.steps, 0), record.fixedResize, 0);
   drawFrames(record, options, stage, held, fixed);
+  followed.printEnd(options.fps, options.frames);
 
   control::HoldRun run{record.targetMs, options.control.mostResize, record.held, {}};
   for (const LoadStep& step : record.steps) {

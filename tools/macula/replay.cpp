@@ -20,6 +20,7 @@
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
 #include "engine/measure/run_record.h"
+#include "gaze_report.h"
 #include "passes/frame_renderer.h"
 #include "replay_painter.h"
 #include "replay_recording.h"
@@ -65,6 +66,8 @@ void replay(ReplayOptions& options) {
   for (const std::string& warning : loaded.scene.warnings) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
   }
+  const FollowedGaze followed(*gazeSource, options.gazeSettings);
+  followed.printWarnings();
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
 
   passes::RenderSettings settings = options.settings;
@@ -110,8 +113,9 @@ void replay(ReplayOptions& options) {
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
     measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
-    record.gazeErrorDegrees =
-        gaze::pointError(point, trueGaze->at(time), options.gazeSettings.display);
+    if (followed.hasDegrees()) {
+      record.gazeErrorDegrees = gaze::pointError(point, trueGaze->at(time), followed.display());
+    }
     noteFirstFrame();
     painter.readBack();
     record.index = i;
@@ -138,10 +142,14 @@ void replay(ReplayOptions& options) {
   run.interrupted = run.frames.size() < static_cast<std::size_t>(options.frames);
 
   describeRun(run, options.scene, options, machine, painter.renderer(), size);
-  const nlohmann::ordered_json report = measure::toJson(run);
+  nlohmann::ordered_json report = measure::toJson(run);
+  report["gaze_log"] = followed.toJson();
+  report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
   const std::filesystem::path file = output.file("report.json");
-  writeFileAtomically(file, report.dump(2) + "\n");
+  writeFileAtomically(file, report.dump(2) + "
+");
   writeJson(options.json, report);
+  followed.printEnd(options.fps, options.frames);
   if (options.json != "-") printSummary(options, report);
   if (run.interrupted) {
     throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",

@@ -189,6 +189,9 @@ void Session::finish() {
               painter_->renderer().outputSize());
   run_.interrupted = run_.frames.size() < recording_.frames.size();
   nlohmann::ordered_json report = measure::toJson(run_);
+  report["gaze_log"] = nullptr;
+  report["summary"]["gaze_error_deg"]["basis"] =
+      "none: a recording holds the point of interest, not where the eye was";
   report["recording"] = {
       {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
       {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},

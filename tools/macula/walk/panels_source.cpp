@@ -87,6 +87,7 @@ void drawRecording(const GazeControl& gaze) {
   ImGui::ProgressBar(static_cast<float>(duration > 0.0 ? played / duration : 1.0),
                      {ImGui::GetContentRegionAvail().x, 0.0F}, text.c_str());
   ui::nameValue("format", recording.format);
+  for (const std::string& warning : recording.warnings) ui::note(warning, ui::Tone::Warning);
   ui::nameValue("samples",
                 fmt::format("{} at {:.1f} Hz", ui::countText(quality.samples), quality.rateHz));
   const double samples = static_cast<double>(std::max<std::size_t>(1, quality.samples));

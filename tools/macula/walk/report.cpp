@@ -88,7 +88,8 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   json["gaze"] = {{"x", point.position.x},
                   {"y", point.position.y},
                   {"state", gaze::stateName(point.state)},
-                  {"source", report.gazeSource}};
+                  {"source", report.gazeSource},
+                  {"warnings", report.gazeWarnings}};
   json["camera"] = {{"position", placeOf(report.events.camera.position)},
                     {"target", placeOf(report.events.camera.target)},
                     {"playing", report.playing}};

@@ -30,7 +30,8 @@ struct WalkReport {
   const SecondView& second;
   const ErrorCheck& errors;
   std::string gazeSource;
-  std::string tab;  ///< that is open; empty: panels are hidden
+  std::vector<std::string> gazeWarnings;  ///< of a recording that is played
+  std::string tab;                        ///< that is open; empty: panels are hidden
   std::optional<int> searchHits;
   std::string message;  ///< the last one that was shown
   std::string commandLine;

@@ -262,6 +262,7 @@ void WalkSession::finish() {
       .second = *second_,
       .errors = errors_,
       .gazeSource = gaze_.spec(),
+      .gazeWarnings = gaze_.recording() ? gaze_.recording()->warnings : std::vector<std::string>{},
       .tab = panels_.shown() ? panels_.tab() : std::string(),
       .searchHits = panels_.settings().hits(),
       .message = lastMessage_,

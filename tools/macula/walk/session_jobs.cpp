@@ -14,6 +14,11 @@ void WalkSession::pollJobs() {
   try {
     gaze_.poll();
     if (gaze_.opening().empty()) firstGaze_ = false;
+    for (const std::string& warning : gaze_.takeWarnings()) {
+      const std::string text = fmt::format("{}: {}", oneLine(gaze_.spec()), warning);
+      fmt::print(stderr, "warning: {}\n", text);
+      say(text);
+    }
   } catch (const InputError& error) {
     if (firstGaze_) throw;
     say(error.what(), true);
