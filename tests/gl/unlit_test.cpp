@@ -52,7 +52,7 @@ TEST_F(Unlit, IsPredictedByItsBaseColourAlone) {
   const OitSettings slices{.method = "kb-variable", .fill = true, .importance = Predictor::Error};
   const OitSettings colors{.method = "kb-learned", .kAve = 1.0, .fill = true};
   for (const bool textured : {false, true}) {
-    for (const OitSettings& oit : {slices, colors, learnedBids(1.0)}) {
+    for (const OitSettings& oit : {slices, colors}) {
       Bench dark(emitting(0.0F, textured), settingsOf(oit), kSize, machine());
       Bench bright(emitting(1.0F, textured), settingsOf(oit), kSize, machine());
       dark.draw();
