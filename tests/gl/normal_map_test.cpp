@@ -125,10 +125,9 @@ TEST_F(NormalMap, LeavesAFlatQuadOneValue) {
         const auto values = inside(quad(turned(degrees), sunFrom(sun), look),
                                    linearSettings("ab-sbuffer"), machine());
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        // The reflection of a rough surface changes that much over the view.
-        EXPECT_LE(*most - *least, 0.01F * *most)
-            << static_cast<int>(look) << " sun from " << sun.x << ',' << sun.y << ',' << sun.z
-            << ", turned " << degrees;
+        // The reflection of a rough surface changes by less over the view.
+        EXPECT_LT(*most - *least, 5e-3F) << static_cast<int>(look) << " sun from " << sun.x << ','
+                                         << sun.y << ',' << sun.z << ", turned " << degrees;
       }
     }
   }
