@@ -72,7 +72,8 @@ glm::vec3 attenuationOf(const Material& m) {
 shader::MaterialData dataOf(const Material& m) {
   shader::MaterialData d{};
   d.baseColor = m.baseColor;
-  d.emissive = glm::vec4(m.emissive, m.normalScale);
+  // KHR_materials_unlit: the base colour alone.
+  d.emissive = glm::vec4(m.unlit ? glm::vec3(0.0F) : m.emissive, m.normalScale);
   d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
   d.transmission = glm::vec4(attenuationOf(m), m.transmission);
   d.flags.x = (m.unlit ? MATERIAL_UNLIT : 0U) |

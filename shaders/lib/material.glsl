@@ -65,19 +65,25 @@ float facing(MaterialData m) {
 }
 
 #if !defined(LIT) || !defined(VERTEX_LIGHT)
-vec3 normalAt(MaterialData m) {
+/// The normal of the geometry, without a normal map, towards the side that is seen.
+vec3 geometricNormalAt(MaterialData m) {
   // A transform that flattens has no normal; any unit vector keeps NaN out of the image.
   vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
+  return n * facing(m);
+}
+
+vec3 normalAt(MaterialData m, vec3 geometricNormal) {
 #ifdef TEXTURED
   if ((m.flags.x & MATERIAL_HAS_NORMAL_TEXTURE) != 0u && dot(inTangent.xyz, inTangent.xyz) > 0.0) {
+    vec3 n = geometricNormal * facing(m);
     vec3 t = normalize(inTangent.xyz - n * dot(n, inTangent.xyz));
     vec3 b = cross(n, t) * inTangent.w * inMirror;
     vec3 s = sampleSlot(normalTexture, m, TEX_NORMAL).xyz * 2.0 - 1.0;
     s.xy *= m.emissive.w;
-    n = normalize(t * s.x + b * s.y + n * s.z);
+    return normalize(t * s.x + b * s.y + n * s.z) * facing(m);
   }
 #endif
-  return n * facing(m);
+  return geometricNormal;
 }
 
 SurfacePoint surfaceAt(MaterialData m) {
@@ -86,7 +92,8 @@ SurfacePoint surfaceAt(MaterialData m) {
   s.baseColor = color.rgb;
   s.alpha = alphaOf(m, color.a);
   s.position = inPosition;
-  s.normal = normalAt(m);
+  s.geometricNormal = geometricNormalAt(m);
+  s.normal = normalAt(m, s.geometricNormal);
   s.metallic = m.surface.x;
   s.roughness = m.surface.y;
   s.occlusion = 1.0;

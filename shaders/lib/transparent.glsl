@@ -37,7 +37,7 @@ vec4 shadeTransparent() {
   }
   return vec4((r.diffuse + r.specular + s.emissive) * s.alpha, s.alpha);
 #else
-  return vec4((s.baseColor + s.emissive) * s.alpha, s.alpha);
+  return vec4(s.baseColor * s.alpha, s.alpha);
 #endif
 }
 #endif

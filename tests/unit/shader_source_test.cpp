@@ -134,7 +134,7 @@ void addOpaque(std::vector<Variant>& all) {
     addCombinations(all, "lighting.comp", together(rich, {{place, "1"}, {"DEMODULATE", "1"}}), {});
   }
   addCombinations(all, "lod/reconstruct.comp", {{"MACULA", "1"}, {"DEMODULATE", "1"}},
-                  {"FOVEATED", "SHADE_HOLES"});
+                  {"FOVEATED", "SHADE_HOLES", "UNLIT"});
   for (const char* file : {"lod/rates.comp", "lod/depth.frag", "lod/transparency.comp"}) {
     addCombinations(all, file, {}, {});
   }
