@@ -73,8 +73,9 @@ bool ClockProbe::judgeProbe(const Seen& newest, double workMs) {
     stuck_ = std::max(stuck_ - kFollowed, 0.0);
     confirm(newest.times.resize);
   } else {
-    // Just above the end of a period every frame with fewer pixels falls into the one below.
-    upwards_ = !upwards_;
+    // Just above the end of a period every frame with fewer pixels falls into the one below. One
+    // with more may be late, so only where others have shown nothing.
+    upwards_ = stuck_ > 0.0 ? !upwards_ : true;
     stuck_ = std::max(stuck_ - kUnclear, 0.0);
     if (stuck_ == 0.0) wait_ = kLongWait;
   }

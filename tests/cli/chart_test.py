@@ -43,11 +43,15 @@ limit = "<= 0.01"
 
 # Where the budget stores everything, this target says nothing.
 FITS = """
+[[variant]]
+id = "filled"
+settings = { oit.method = "kb-variable", oit.fill = true }
+budgets = true
 [[target]]
 name = "the budget is used twice over"
 kind = "value"
 metric = "budget_used"
-of = "limited"
+of = "filled"
 budgets = ["share 1"]
 limit = ">= 2"
 unless_all_stored = true
