@@ -50,7 +50,8 @@ std::string placeOf(const ScenePart& part, std::size_t scenes) {
 TargetRow meanOf(const Target& target, const std::vector<std::string>& scenes,
                  const std::vector<const ScenePart*>& parts) {
   TargetRow row{&target, parts.front()->row.study,     placeOf(*parts.front(), scenes.size()),
-                {},      TargetRow::State::Unmeasured, {}};
+                {},      TargetRow::State::Unmeasured, {},
+                {}};
   double sum = 0.0;
   std::string values;
   for (const std::string& scene : scenes) {
@@ -60,6 +61,10 @@ TargetRow meanOf(const Target& target, const std::vector<std::string>& scenes,
     if (part == parts.end() || !(*part)->row.value) {
       row.note = shortName(scene) + ": " +
                  (part == parts.end() ? "no point of " + target.of : (*part)->row.note);
+      if (part != parts.end() && (*part)->row.state == TargetRow::State::NotApplicable) {
+        row.state = TargetRow::State::NotApplicable;
+        row.reason = shortName(scene) + ": " + (*part)->row.reason;
+      }
       return row;
     }
     sum += *(*part)->row.value;

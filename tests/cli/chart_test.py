@@ -41,6 +41,23 @@ limit = "<= 0.01"
 """
 
 
+# Where the budget stores everything, this target says nothing.
+FITS = """
+[[variant]]
+id = "filled"
+settings = { oit.method = "kb-variable", oit.fill = true }
+budgets = true
+[[target]]
+name = "the budget is used twice over"
+kind = "value"
+metric = "budget_used"
+of = "filled"
+budgets = ["share 1"]
+limit = ">= 2"
+unless_all_stored = true
+"""
+
+
 SWEPT = """title = "Swept"
 scenes = ["layers-16"]
 sizes = ["64x64"]
@@ -188,7 +205,7 @@ def check_results(folder):
 
 def check_oracles(folder):
     """With room for every fragment an oracle's image is the exact one; with less it is not."""
-    chart(folder, TINY.replace("[[target]]", """[[variant]]
+    done = chart(folder, TINY.replace("[[target]]", """[[variant]]
 id = "optimal-k"
 oracle = "optimal-k"
 budgets = true
@@ -196,7 +213,15 @@ budgets = true
 id = "least-rmse-tail"
 oracle = "least-rmse-tail"
 budgets = true
-[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }"))
+[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }") + FITS)
+    row = results(folder)["targets"][-1]
+    assert (row["state"], row["reason"]) == ("n/a", "everything fits"), row
+    assert re.search(r"^  n/a: everything fits +[0-9.]+  layers-16", done.stdout, re.M), done.stdout
+    assert "targets: 1 met, 1 missed, 1 n/a, 0 unmeasured" in done.stdout, done.stdout
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is not None:
+        dom = opened(browser, folder, os.path.join(folder, "out", "report.html"))
+        assert "1 met, 1 missed, 1 n/a, 0 not measured" in dom and ">n/a: everything fits<" in dom
     points = [p for p in results(folder)["points"] if p["variant"] in ("optimal-k", "least-rmse-tail")]
     assert len(points) == 6
     if all(p["status"] == "refused" and "not part of this build" in p["reason"] for p in points):

@@ -185,23 +185,35 @@ void writeResults(const Results& results, const fs::path& folder) {
   writeFileAtomically(folder / "report.html", reportPage(results, folder, dataFolder("assets")));
 }
 
+/// "met", "n/a: everything fits"
+std::string verdictOf(const TargetRow& row) {
+  return std::string(nameOf(row.state)) + (row.reason.empty() ? "" : ": " + row.reason);
+}
+
 void printSummary(const Results& results, const ChartRun& run, const fs::path& folder) {
   std::size_t refused = 0;
   for (const Point& point : results.points) refused += point["status"] == kRefused ? 1 : 0;
   for (const Skipped& skipped : run.skipped) {
     fmt::print("skipped: {}: {}\n", skipped.what, oneLine(skipped.reason));
   }
+  constexpr std::size_t kLeastWidth = 10;
+  std::size_t width = kLeastWidth;
   const Target* before = nullptr;
   for (const TargetRow& row : results.targets) {
     if (row.target != before) {
       fmt::print("{}: {} {}\n", row.target->name, row.target->metric, row.target->limitText());
+      width = kLeastWidth;
+      for (const TargetRow& other : results.targets) {
+        if (other.target == row.target) width = std::max(width, verdictOf(other).size());
+      }
     }
     before = row.target;
     const std::string value = row.value ? fmt::format("{:.3g}", *row.value) : "";
     std::string where = row.where;
     if (row.state == TargetRow::State::Unmeasured) where += (where.empty() ? "" : ": ") + row.note;
-    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value, where);
+    fmt::print("  {:<{}} {:>7}  {}\n", verdictOf(row), width, value, where);
   }
+  if (!results.targets.empty()) fmt::print("targets: {}\n", summaryOf(results.targets));
   fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
              run.measured, run.kept, refused, (folder / "report.html").string());
 }

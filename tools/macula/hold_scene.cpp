@@ -89,21 +89,21 @@ void measureLoads(HoldRecord& record, const HoldOptions& options, const Stage& s
           options.targetShare ? *options.targetShare * load.fullRateMs : options.control.targetMs;
     }
     const double most = options.control.mostResize;
-    load.model = control::modelOf(half, record.targetMs, most);
     // Without resizing, nothing has to be reconstructed.
-    if (load.fullRateMs <= record.targetMs) load.model.idealResize = control::kLeastResize;
-    load.leastMs = std::min(load.fullRateMs, load.model.workMs / (most * most) + load.model.restMs);
+    load.firstResize = load.fullRateMs <= record.targetMs
+                           ? control::kLeastResize
+                           : control::modelOf(half, record.targetMs, most).idealResize;
     record.loads.push_back(load);
   }
 }
 
-/// The mean of the ideals over the frames: too slow after a step up, and too coarse before it, as
-/// any fixed r is.
-double meanIdeal(const HoldRecord& record, int frames) {
+/// The mean over the frames of what the first view asks for: too slow after a step up, and too
+/// coarse before it, as any fixed r is.
+double meanResize(const HoldRecord& record, int frames) {
   double sum = 0.0;
   for (int i = 0; i < frames; ++i) {
     const int times = loadAt(record.steps, static_cast<std::size_t>(i));
-    sum += std::ranges::find(record.loads, times, &LoadTimes::times)->model.idealResize;
+    sum += std::ranges::find(record.loads, times, &LoadTimes::times)->firstResize;
   }
   return sum / frames;
 }
@@ -126,7 +126,9 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     const passes::FrameResult result = held.render(camera, point, cut);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
-    HoldFrameRecord more{time, times, held.inputs().levers, {}};
+    HoldFrameRecord more{time, held.inputs().levers, {}};
+    frame.load = times;
+    frame.othersAtRest = more.levers.foveaSlope == 1.0F && more.levers.layerShare == 1.0F;
     for (const frame::PassTime& pass : result.passes) more.passMs.emplace_back(pass.name, pass.ms);
     fixed.setShadingLoad(times);
     fixed.setLevers(fixedLevers);
@@ -193,7 +195,7 @@ void holdScene(HoldOptions& options) {
   }
   measureLoads(record, options, stage, held);
   options.control.targetMs = record.targetMs;
-  record.fixedResize = meanIdeal(record, options.frames);
+  record.fixedResize = meanResize(record, options.frames);
   // The other renderer compiles and grows, too, before its times count.
   drawStill(fixed, stage, loadAt(record.steps, 0), record.fixedResize, 0);
   drawFrames(record, options, stage, held, fixed);
