@@ -120,7 +120,7 @@ void main() {
   countOut = there ? 1.0 : 0.0;
 #endif
 #ifndef INSERTION_SORTED
-#ifdef TAIL_DENSE
+#if defined(TAIL_DENSE) && defined(HOLED)
   tailOut = vec4(0.0);
 #endif
   if (there) keep(p, slots, key);

@@ -129,20 +129,24 @@ glm::vec3 expectedAt(int x, int row) {
   return over(nearestFirst, {0.2F, 0.4F, 0.8F});
 }
 
-std::vector<OitSettings> methodsWithRoom() {
-  constexpr int kLayers = kCards / kSolidEvery;
-  std::vector<OitSettings> all = completeCases(kLayers);
-  all.push_back({.method = "kb-racy", .kAve = kLayers});
-  for (const char* method : {"kb-fixed", "kb-plus"}) {
-    all.push_back({.method = method, .kAve = kLayers, .fragmentBytes = 8});
-  }
-  all.push_back(learnedBids(kLayers, 8));
-  return all;
+/// One of each way to insert, given room for so many a pixel. Fewer than completeCases(): each
+/// compiles shaders of its own.
+std::vector<OitSettings> insertionsWithRoom(int layers) {
+  const double k = layers;
+  return {{.method = "ab-list"},
+          {.method = "ab-sbuffer"},
+          {.method = "ab-array", .layers = layers},
+          {.method = "peel", .layers = layers},
+          {.method = "kb-racy", .kAve = k},
+          {.method = "kb-atomic", .kAve = k},
+          {.method = "kb-fixed", .kAve = k, .sync = "spinlock"},
+          {.method = "kb-plus", .kAve = k, .fill = true, .fragmentBytes = 8},
+          {.method = "kb-variable", .kAve = k, .fill = true, .tail = Tail::Mean}};
 }
 
 TEST_F(GlTest, HolesTakeNoSlot) {
   const scene::Scene scene = cards();
-  for (const OitSettings& oit : methodsWithRoom()) {
+  for (const OitSettings& oit : insertionsWithRoom(kCards / kSolidEvery)) {
     Bench bench(scene, settingsOf(oit), {kSide, kSide}, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kSolidFragments) << describe(oit);
@@ -274,6 +278,7 @@ TEST_F(GlTest, AllPassesAgreeOnFilteredHoles) {
   EXPECT_TRUE(reference.exact);
   EXPECT_EQ(reference.fragments->stored, reference.fragments->generated);
   EXPECT_GT(reference.deepest, 8U);
+  EXPECT_LE(reference.deepest, 12U);
   // The ranges are those of the count pass, the fill is the capture's.
   const auto ranges = exact.words(Resource::FragmentRange, 2);
   const auto fill = exact.words(Resource::FragmentFill, 1);
@@ -281,12 +286,14 @@ TEST_F(GlTest, AllPassesAgreeOnFilteredHoles) {
   for (std::size_t p = 0; p < fill.size(); ++p) unlike += ranges[2 * p + 1] == fill[p] ? 0U : 1U;
   EXPECT_EQ(unlike, 0U);
   const std::vector<float> image = exact.linear();
-  for (const OitSettings& oit : completeCases(12)) {
+  for (const OitSettings& oit : insertionsWithRoom(12)) {
     Bench bench(scene, settingsOf(oit), kSize, machine());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, reference.fragments->generated) << describe(oit);
     EXPECT_EQ(result.fragments->stored, reference.fragments->generated) << describe(oit);
-    EXPECT_LE(largestDifference(bench.linear(), image), 4e-3F) << describe(oit);
+    // Packed alphas hold 8 bits, of up to twelve layers.
+    const float tolerance = oit.fragmentBytes == 8 ? 2e-2F : 4e-3F;
+    EXPECT_LE(largestDifference(bench.linear(), image), tolerance) << describe(oit);
   }
 }
 
