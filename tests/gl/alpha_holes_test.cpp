@@ -351,5 +351,38 @@ TEST_F(GlTest, CardsOfTheSharedCaseShowBothVisibleLayers) {
   }
 }
 
+/// Root mean squared error of linear values against the exact image.
+double errorOf(const scene::Scene& scene, const OitSettings& oit, passes::Machine& machine) {
+  constexpr glm::ivec2 kSize{128, 128};
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine);
+  Bench bench(scene, settingsOf(oit), kSize, machine);
+  exact.draw();
+  bench.draw();
+  const std::vector<float> a = exact.linear();
+  const std::vector<float> b = bench.linear();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST_F(GlTest, LeavesOfTheSharedCaseAreAsNearAsDiscs) {
+  if (!std::filesystem::exists(kCases)) GTEST_SKIP() << kCases << " is absent; nothing compared";
+  const scene::Scene leaves = scene::loadGltf(kCases / "leaf_cards.gltf");
+  const scene::Scene discs = scene::loadGltf(kCases / "leaf_discs.gltf");
+  for (const double kAve : {4.0, 1.0}) {
+    const OitSettings plain{.method = "kb-variable", .kAve = kAve};
+    OitSettings best{.method = "kb-variable", .kAve = kAve, .fill = true, .tail = Tail::Mean};
+    best.importance = Predictor::Error;
+    for (const OitSettings& oit : {plain, best}) {
+      const double error = errorOf(leaves, oit, machine());
+      note(describe(oit), error);
+      EXPECT_LE(error, 1.1 * errorOf(discs, oit, machine()) + 1e-4) << describe(oit);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace macula::test
