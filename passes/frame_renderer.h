@@ -27,7 +27,7 @@ namespace macula::passes {
 /// Fragments of one frame, at the rate at which transparency is drawn. generated = stored + merged
 /// + lost.
 struct FragmentCounts {
-  std::uint64_t generated = 0;  ///< pass opaque depth
+  std::uint64_t generated = 0;  ///< pass opaque depth, and alpha exceeds LEAST_ALPHA
   std::uint64_t stored = 0;
   std::uint64_t merged = 0;  ///< in a tail
   std::uint64_t lost = 0;

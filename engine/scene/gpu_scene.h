@@ -23,13 +23,14 @@ struct DrawRun {
   CullMode cull = CullMode::Back;
   bool lit = false;
   bool mask = false;
+  bool holed = false;  ///< transparent, and where alpha says so a fragment is not there
   std::int32_t texturedMaterial = kNone;  ///< kNone: no textures, materials may differ
 };
 
 /// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
 struct DrawList {
   std::vector<DrawRun> runs;       ///< by cull mode, shading and material
-  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and MASK materials split them
+  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and what tests alpha split them
   gl::Buffer commands;
   std::uint64_t triangles = 0;
   [[nodiscard]] bool empty() const { return runs.empty(); }

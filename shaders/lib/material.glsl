@@ -1,11 +1,21 @@
 // The glTF material at a fragment of the scene. TEXTURED: the run has textures bound. LIT with
-// VERTEX_LIGHT: light came from the vertices, and there is no normal.
+// VERTEX_LIGHT: light came from the vertices, and there is no normal. UV_ONLY: nothing but the base
+// colour is wanted. POSITION_ONLY: nothing at all, or, WITH_IDS, ids. HOLED: where alpha says so a
+// fragment is not there; a pass asks isThere() before anything else.
 #include "lib/scene.glsl"
 #include "lib/surface.glsl"
 
+#if !defined(POSITION_ONLY) || defined(WITH_IDS)
+layout(location = 2) flat in uvec3 inIds;
+
+/// Id of the triangle that does not depend on the order of draws.
+uint fragmentId() { return inIds.y + inIds.z * uint(gl_PrimitiveID); }
+#endif
+
+#ifndef POSITION_ONLY
 layout(location = 0) in vec4 inUv;
 layout(location = 1) in vec4 inColor;
-layout(location = 2) flat in uvec3 inIds;
+#ifndef UV_ONLY
 #if defined(LIT) && defined(VERTEX_LIGHT)
 layout(location = 3) in vec3 inFrontLight;
 layout(location = 4) in vec3 inBackLight;
@@ -15,6 +25,7 @@ layout(location = 4) in vec3 inNormal;
 layout(location = 5) in vec4 inTangent;
 #endif
 layout(location = 6) flat in float inMirror;
+#endif
 
 #ifdef TEXTURED
 layout(binding = TEX_BASE_COLOR) uniform sampler2D baseColorTexture;
@@ -25,6 +36,9 @@ layout(binding = TEX_EMISSIVE) uniform sampler2D emissiveTexture;
 
 bool usesSecondUv(MaterialData m, uint slot) { return (m.flags.y & (1u << slot)) != 0u; }
 
+#ifdef HOLED
+#define EXPLICIT_GRADIENTS
+#endif
 #ifdef EXPLICIT_GRADIENTS
 // A pass that leaves early calls prepareGradients() first: after the first return the neighbours'
 // coordinates, and with them implicit gradients, are undefined (GLSL 4.50, section 8.13.1).
@@ -44,11 +58,8 @@ vec4 sampleSlot(sampler2D map, MaterialData m, uint slot) {
 #endif
 #endif
 
-/// Id of the triangle that does not depend on the order of draws.
-uint fragmentId() { return inIds.y + inIds.z * uint(gl_PrimitiveID); }
-
-vec4 baseColorAt(MaterialData m) {
-  vec4 color = m.baseColor * inColor;
+vec4 findBaseColor(MaterialData m) {
+  precise vec4 color = m.baseColor * inColor;
 #ifdef TEXTURED
   if ((m.flags.x & MATERIAL_HAS_BASE_COLOR_TEXTURE) != 0u) {
     color *= sampleSlot(baseColorTexture, m, TEX_BASE_COLOR);
@@ -57,6 +68,26 @@ vec4 baseColorAt(MaterialData m) {
   return color;
 }
 
+#ifdef HOLED
+vec4 foundBaseColor;
+
+/// Whether a fragment adds something; its one definition. All passes ask this one function, and it
+/// takes textures by explicit gradients in all of them, so that they agree.
+bool isThere() {
+#ifdef TEXTURED
+  prepareGradients();
+#endif
+  MaterialData m = materials[inIds.x];
+  foundBaseColor = findBaseColor(m);
+  return alphaOf(m, foundBaseColor.a) > LEAST_ALPHA;
+}
+
+vec4 baseColorAt(MaterialData m) { return foundBaseColor; }
+#else
+vec4 baseColorAt(MaterialData m) { return findBaseColor(m); }
+#endif
+
+#ifndef UV_ONLY
 /// 1 where the front of the surface is seen, else -1. Single-sided runs show front faces only; for
 /// the others a mirroring transform swaps the sides.
 float facing(MaterialData m) {
@@ -115,4 +146,6 @@ SurfacePoint surfaceAt(MaterialData m) {
 #endif
   return s;
 }
+#endif
+#endif
 #endif

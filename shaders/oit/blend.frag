@@ -3,4 +3,9 @@
 
 layout(location = 0) out vec4 color;
 
-void main() { color = shadeTransparent(); }
+void main() {
+#ifdef HOLED
+  if (!isThere()) discard;
+#endif
+  color = shadeTransparent();
+}
