@@ -107,6 +107,14 @@ def test_keys():
     check(numbers["camera"]["position"] != still["camera"]["position"],
           "a key that was tapped within a frame moves the camera")
 
+    opened = Walk("looked")
+    opened.in_one_frame(("mousemove", 500, 300), ("mousedown", 3), ("mousemove", 540, 300),
+                        ("mouseup", 3), LEAVE)
+    numbers = opened.numbers()
+    check(numbers["camera"]["position"] == still["camera"]["position"] and
+          numbers["camera"]["target"] != still["camera"]["target"],
+          "a drag that began and ended within a frame turns the camera")
+
     opened = Walk("ordered")
     opened.in_one_frame(("key", "m"), ("key", "slash"), ("type", "exposure"), ("key", "Escape"),
                         ("key", "F6"), LEAVE)

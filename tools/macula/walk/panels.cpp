@@ -211,7 +211,8 @@ void Panels::draw(const PanelInput& input, Requests& requests) {
   footHeight_ = shown_ ? drawHints() : 0.0F;
   footHeight_ += drawRecordings(input.recordings, size.y - footHeight_);
   const float width = std::min(kPanelWidth * em, kWidestShare * size.x);
-  const ImVec2 most(width, std::max(4.0F * em, size.y - footHeight_ - 2.0F * margin));
+  const float bottom = std::min(size.y - footHeight_, input.bottom);
+  const ImVec2 most(width, std::max(4.0F * em, bottom - 2.0F * margin));
   const ImGuiWindowFlags flags = kPanelFlags | ImGuiWindowFlags_AlwaysAutoResize;
   if (shown_) {
     ImGui::SetNextWindowPos({margin, margin});

@@ -48,6 +48,7 @@ struct PanelInput {
   const ui::FrameRate& rate;
   const ui::MethodTime& time;                  ///< of method A
   const std::vector<std::string>& recordings;  ///< what is being recorded, a line each
+  float bottom = 0.0F;  ///< no panel reaches below it, in the UI's coordinates: labels stand there
 };
 
 /// What is typed and listed on the tabs, from frame to frame.

@@ -28,7 +28,7 @@ void drawSecond(const PanelInput& input, Requests& requests) {
     const passes::FrameResult& b = second.result();
     drawMethodTimes(input);
     const auto lost = [](const passes::FrameResult& result) {
-      return result.fragments ? ui::countText(result.fragments->lost) : std::string("?");
+      return result.fragments ? ui::countText(result.fragments->lost) : std::string("not counted");
     };
     ui::nameValue("lost, A and B", fmt::format("{} and {}", lost(input.result), lost(b)));
   }

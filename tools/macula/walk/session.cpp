@@ -247,9 +247,14 @@ void WalkSession::drawOverlays() {
                                       camera_.recordedSeconds(),
                                       ui::numberOf(camera_.recordedKeys(), "key")));
   }
-  const PanelInput input{events_, *renderer_,     result_,    options_.settings, scene_,
-                         camera_, gaze_,          *second_,   errors_,           *control_,
-                         rate_,   panels_.time(), recordings_};
+  const bool labelled = mapShown || second_->shown();
+  const PanelInput input{events_,     *renderer_,
+                         result_,     options_.settings,
+                         scene_,      camera_,
+                         gaze_,       *second_,
+                         errors_,     *control_,
+                         rate_,       panels_.time(),
+                         recordings_, labelled ? top : window.y};
   panels_.draw(input, requests_);
   if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
   if (panels_.drawMessage(message_ ? &*message_ : nullptr, top - em)) message_.reset();
