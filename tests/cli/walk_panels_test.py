@@ -150,7 +150,16 @@ def test_scenes():
     numbers, _ = walk("refused-log", "1 drop no_log.csv\n", gaze="mouse")
     check("no_log.csv" in numbers["message"] and "line 1" in numbers["message"],
           "a file that is no gaze log is refused by file and line")
+    check("read as a gaze log" in numbers["message"], "and it is said why it was taken for one")
     check(numbers["gaze"]["source"] == "mouse", "the gaze source before stays")
+    for name, step, words in (
+            ("nothing", "drop", "no file is named"), ("missing", "drop no.glb", "no such file"),
+            ("folder", "drop .", "is a folder with 0 scene files"),
+            ("path-missing", "play no.csv", "no such file"), ("path-folder", "play .", "is a folder"),
+            ("log-missing", "gaze no.csv", "no such file"), ("log-folder", "gaze .", "is a folder"),
+            ("twice", "scene hairball\n1 scene hairball", "already loading hairball")):
+        numbers, _ = walk(f"refused-{name}", f"1 {step}\n")
+        check(words in numbers["message"], f"1 {step!r}: {numbers['message']}")
     numbers, _ = walk("refused-scene", "1 scene nowhere.glb\n")
     check("nowhere.glb" in numbers["message"] and numbers["scene"] == "layers-4",
           "a scene that is not there leaves the one before")
@@ -209,9 +218,15 @@ def test_views():
     check(known["rmse"] > 0 and abs(numbers["error"]["rmse"] - known["rmse"]) < 1e-9,
           "the error on demand is that of 'macula compare'")
     check(abs(numbers["error"]["flip"] - known["flip"]) < 1e-9, "and so is FLIP")
+    check(0 < numbers["error"]["frame"] < numbers["frame"] and
+          f"at frame {numbers['error']['frame']};" in numbers["message"],
+          "errors say at which frame they were measured")
+    check(numbers["frames_per_second"] > 0, "the frame rate is known")
     numbers, _ = walk("measured-second", "1 view split\n1 set-second oit.method=wboit\n"
                       "2 measure second\n", "--method", "blend", frames=4)
     check(numbers["error"]["reference"] == "wboit", "errors against method B")
+    check(numbers["ms"]["total"] > 0 and numbers["second"]["ms"]["total"] > 0,
+          "both methods have a time of their own")
 
 
 def test_files_and_keys():
@@ -257,7 +272,8 @@ def test_files_and_keys():
           "a file that is no camera path is refused")
 
 
-def main():
+def run(tests):
+    """Runs tests in a folder of their own, on a display of their own."""
     if shutil.which("Xvfb") is None:
         print("skipped: Xvfb is not installed (apt-get install xvfb)")
         sys.exit(77)
@@ -274,7 +290,7 @@ def main():
             with os.fdopen(ends[0], encoding="ascii") as said:
                 os.environ["DISPLAY"] = ":" + said.readline().strip()
             os.chdir(folder)
-            for test in (test_panels, test_scenes, test_views, test_files_and_keys):
+            for test in tests:
                 test()
         finally:
             server.terminate()
@@ -289,4 +305,5 @@ def main():
         sys.exit(f"{faults} faults")
 
 
-main()
+if __name__ == "__main__":
+    run((test_panels, test_scenes, test_views, test_files_and_keys))

@@ -18,11 +18,13 @@ std::string shellQuoted(std::string_view word) {
   return quoted + "'";
 }
 
+std::string asArgument(const std::string& file) {
+  return shellQuoted(file.starts_with('-') ? "./" + file : file);
+}
+
 std::string walkCommandLine(const settings::Registry& registry, const std::string& scene,
                             glm::ivec2 size, const std::string& gaze) {
-  // A file whose name begins like an option is named by its folder.
-  const std::string place = scene.starts_with('-') ? "./" + scene : scene;
-  std::string text = fmt::format("macula walk {} --size {}x{}", shellQuoted(place), size.x, size.y);
+  std::string text = fmt::format("macula walk {} --size {}x{}", asArgument(scene), size.x, size.y);
   if (gaze != "mouse") text += " --gaze " + shellQuoted(gaze);
   for (const settings::Entry& entry : registry.entries()) {
     if (entry.isDefault()) continue;

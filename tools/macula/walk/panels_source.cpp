@@ -17,8 +17,10 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-/// A field for a path, with a button. @returns whether it was entered
-bool pathField(const char* id, const char* hint, const char* button, std::string& text) {
+/// A field for a path, with a button. @returns whether something was entered; that nothing was is
+/// said, too
+bool pathField(const char* id, const char* hint, const char* button, std::string& text,
+               Requests& requests) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttonWidth = ImGui::CalcTextSize(button).x + 2.0F * style.FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttonWidth - style.ItemSpacing.x);
@@ -27,6 +29,9 @@ bool pathField(const char* id, const char* hint, const char* button, std::string
   ImGui::PushID(id);
   entered = ImGui::Button(button) || entered;
   ImGui::PopID();
+  if (entered && text.empty()) {
+    requests.push_back({Action::Refuse, fmt::format("the field is empty; type a {}", hint)});
+  }
   return entered && !text.empty();
 }
 
@@ -135,15 +140,15 @@ void drawSceneTab(const PanelInput& input, TabState& state, Requests& requests) 
   ImGui::Separator();
   std::error_code error;
   const auto folder = std::filesystem::weakly_canonical(state.folder, error);
-  ui::note(fmt::format("{}: {}", folder.string(),
-                       state.files.empty() ? "no .glb or .gltf"
-                                           : fmt::format("{} scene files", state.files.size())));
+  ui::note(fmt::format(
+      "{}: {}", folder.string(),
+      state.files.empty() ? "no .glb or .gltf" : ui::numberOf(state.files.size(), "scene file")));
   for (const std::filesystem::path& file : state.files) {
     if (ImGui::Selectable(file.filename().c_str(), file.string() == input.scene.name)) {
       requests.push_back({Action::LoadScene, file.string()});
     }
   }
-  if (pathField("##scene", "file, folder or name", "open", state.sceneField)) {
+  if (pathField("##scene", "file, folder or name", "open", state.sceneField, requests)) {
     requests.push_back({Action::Drop, state.sceneField});
   }
   ui::note("or drop a .glb or .gltf file on the window");
@@ -159,7 +164,7 @@ void drawGazeTab(const PanelInput& input, TabState& state, Requests& requests) {
       ImGui::SetTooltip("%s", choice.note.c_str());
     }
   }
-  if (pathField("##gaze", "log file, x,y or hid", "open", state.gazeField)) {
+  if (pathField("##gaze", "log file, place x,y or hid", "open", state.gazeField, requests)) {
     requests.push_back({Action::GazeSource, state.gazeField});
   }
   ui::note("or drop a gaze log on the window");
@@ -198,13 +203,14 @@ void drawCameraTab(const PanelInput& input, TabState& state, Requests& requests)
       requests.push_back({Action::PlayPath, camera.pathName()});
     }
   }
-  if (pathField("##path", "path file (CSV)", "play", state.pathField)) {
+  if (pathField("##path", "path file (CSV)", "play", state.pathField, requests)) {
     requests.push_back({Action::PlayPath, state.pathField});
   }
   ImGui::Separator();
   if (camera.recording()) {
     ui::nameValue("recording",
-                  fmt::format("{:.1f} s, {} keys", camera.recordedSeconds(), camera.recordedKeys()),
+                  fmt::format("{:.1f} s, {}", camera.recordedSeconds(),
+                              ui::numberOf(camera.recordedKeys(), "key")),
                   ui::Tone::Error);
   }
   if (ui::flowButton(camera.recording() ? "end and save (L)" : "record a path (L)", true)) {

@@ -71,6 +71,16 @@ void drawFragments(const passes::FrameResult& result) {
 
 }  // namespace
 
+void drawMethodTimes(const PanelInput& input) {
+  const auto draw = [](const ui::MethodTime& time, std::string_view prefix) {
+    ui::nameValue(fmt::format("{}{}", prefix, time.method()),
+                  fmt::format("median {:.1f} ms", time.medianMs()));
+  };
+  const bool two = input.second.shown();
+  draw(input.time, two ? "A, " : "");
+  if (two) draw(input.second.time(), "B, ");
+}
+
 void Panels::drawControl(const PanelInput& input) {
   panel_.row("control.law");
   if (input.control.settings().law == "off") return;
@@ -134,6 +144,10 @@ void Panels::drawSettingsTab(Requests& requests) {
 
 void Panels::drawNumbers(const PanelInput& input) {
   const passes::FrameRenderer& renderer = input.renderer;
+  const std::optional<double> rate = input.rate.perSecond();
+  ui::nameValue(fmt::format("frame {}", input.events.index),
+                rate ? fmt::format("{:.1f} frames a second", *rate) : std::string());
+  drawMethodTimes(input);
   timeline_.draw();
   ImGui::Separator();
   drawFragments(input.result);

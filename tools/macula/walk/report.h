@@ -39,6 +39,7 @@ struct WalkReport {
   int loadingFrames = 0;  ///< drawn while a scene was loading
   bool playing = false;   ///< a camera path
   const FrameControl& control;
+  std::optional<double> framesPerSecond;  ///< from present to present
 };
 
 [[nodiscard]] nlohmann::ordered_json describeWalk(const WalkReport& report,

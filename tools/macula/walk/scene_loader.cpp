@@ -18,8 +18,9 @@ ShownScene upload(const ReadyScene& ready) {
   for (const scene::Instance& instance : loaded.scene.instances) {
     triangles += loaded.scene.primitives[instance.primitive].indices.size() / 3;
   }
-  shown.facts = fmt::format("{} triangles, {} draws, {}", ui::countText(triangles),
-                            loaded.scene.instances.size(), ui::bytesText(shown.gpu->bytes()));
+  shown.facts = fmt::format("{}, {}, {}", ui::numberOf(triangles, "triangle"),
+                            ui::numberOf(loaded.scene.instances.size(), "draw"),
+                            ui::bytesText(shown.gpu->bytes()));
   return shown;
 }
 

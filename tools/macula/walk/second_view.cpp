@@ -1,5 +1,6 @@
 #include "walk/second_view.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/ui/widgets.h"
 #include "shared/bindings.h"
 #include "shared/dispatch.h"
 
@@ -29,17 +31,6 @@ void copyShared(const passes::RenderSettings& from, passes::RenderSettings& to) 
   to.importance = importance;
 }
 
-void drawName(std::string_view name, ImVec2 at, bool toTheLeft) {
-  const ImVec2 size = ImGui::CalcTextSize(name.data(), name.data() + name.size());
-  const float pad = 0.3F * ImGui::GetFontSize();
-  const float left = toTheLeft ? at.x - size.x - 3.0F * pad : at.x + 3.0F * pad;
-  ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled({left - pad, at.y}, {left + size.x + pad, at.y + size.y + 2.0F * pad},
-                      IM_COL32(10, 12, 16, 190), pad);
-  list->AddText({left, at.y + pad}, IM_COL32(255, 255, 255, 255), name.data(),
-                name.data() + name.size());
-}
-
 }  // namespace
 
 const std::vector<std::string>& viewModeNames() {
@@ -59,6 +50,7 @@ void SecondView::setMode(ViewMode mode) {
   if (shown()) return;
   renderer_.reset();
   difference_ = {};
+  time_ = {};
 }
 
 glm::ivec2 SecondView::pictureSize(glm::ivec2 window) const {
@@ -87,6 +79,7 @@ void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, b
   for (;;) {
     try {
       draw(anew);
+      time_.add(settings_.oit.method, result_.totalMs);
       return;
     } catch (const InputError& error) {
       if (!change) throw;
@@ -149,7 +142,7 @@ void SecondView::scaleDifference(bool up) {
   scale_ = std::clamp(up ? 0.5F * scale_ : 2.0F * scale_, 1.0F, kMostScale);
 }
 
-void SecondView::drawOverlay(bool pointerFree, float top) {
+void SecondView::drawOverlay(const ui::MethodTime& first, bool pointerFree, float top) {
   if (mode_ != ViewMode::Split && mode_ != ViewMode::SideBySide) return;
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 size = io.DisplaySize;
@@ -174,8 +167,12 @@ void SecondView::drawOverlay(bool pointerFree, float top) {
     list->AddCircleFilled({x, 0.5F * size.y}, grip, IM_COL32(255, 255, 255, 230));
     list->AddCircle({x, 0.5F * size.y}, grip, IM_COL32(0, 0, 0, 200), 0, 1.5F);
   }
-  drawName(first_.oit.method, {x, top}, true);
-  drawName(settings_.oit.method, {x, top}, false);
+  const float gap = 0.6F * ImGui::GetFontSize();
+  const auto label = [](const ui::MethodTime& time) {
+    return fmt::format("{}  {:.1f} ms", time.method(), time.medianMs());
+  };
+  ui::pictureLabel(label(first), {x - gap, top}, 1.0F);
+  ui::pictureLabel(label(time_), {x + gap, top}, 0.0F);
 }
 
 }  // namespace macula::tools

@@ -122,6 +122,8 @@ void WalkSession::measureErrors(const std::string& against) {
   PicturePair pair;
   pair.testName = a.oit.method;
   pair.referenceName = reference.oit.method;
+  pair.scene = events_.scene;
+  pair.frame = events_.index;
   if (a.heatmap.map == "none") {
     // What is seen is what is measured.
     pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};

@@ -19,11 +19,19 @@ void WalkSession::pollJobs() {
       fmt::print(stderr, "warning: {}\n", text);
       say(text);
     }
+    if (gaze_.spec() == guessedLog_) guessedLog_.clear();
   } catch (const InputError& error) {
     if (firstGaze_) throw;
-    say(error.what(), true);
+    const std::string reason = error.what();
+    const bool guessed = !guessedLog_.empty() && reason.starts_with(guessedLog_);
+    guessedLog_.clear();
+    say(guessed ? reason + " (it is no scene and no camera path, so it was read as a gaze log)"
+                : reason,
+        true);
   }
-  if (errors_.poll()) say("measured; the errors stand on the compare tab");
+  if (errors_.poll()) {
+    say(fmt::format("measured: {}; the errors are on the compare tab", errors_.title(scene_.name)));
+  }
   if (picture_.ready()) {
     try {
       say(picture_.take());
