@@ -1,6 +1,7 @@
 // Transparent fragments in the order in which they are drawn.
+#include "lib/half.glsl"
 #include "lib/transparent.glsl"
 
 layout(location = 0) out vec4 color;
 
-void main() { color = shadeTransparent(); }
+void main() { color = min(shadeTransparent(), vec4(kMaxHalf)); }
