@@ -155,10 +155,8 @@ void holdScene(HoldOptions& options) {
   record.steps = parseLoads(options.loads, options.frames);
   auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  printWarnings(loaded.scene, path.at(0.0), aspectOf(record.size));
   if (!options.out.empty()) makeOutputFolder(options.out);
 
   const window::HeadlessContext context(platformOf(options.platform));
