@@ -12,6 +12,7 @@
 #include "chart_path.h"
 #include "engine/core/error.h"
 #include "engine/gaze/source.h"
+#include "replay_painter.h"
 
 namespace macula::tools {
 namespace {
@@ -225,8 +226,9 @@ class LoadedGroup {
   Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
     Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
     contender.describe(point);
-    describeImage(point, contender.shown(), contender.display(), reference_,
-                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    const image::Image8 shown = contender.shown();
+    describeImage(point, shownPicture(contender.renderer(), shown), shown, contender.display(),
+                  reference_, run_.experiment.differenceScale, run_.folder, plan.stem);
     return point;
   }
 
@@ -267,8 +269,9 @@ class LoadedGroup {
                           {"lost", answer.lost},
                           {"loss", loss}};
     point["k"] = {{"min", answer.kMin}, {"max", answer.kMax}, {"mean", answer.kMean}};
-    describeImage(point, image::toImage8(answer.display), answer.display, reference_,
-                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    const image::Image8 shown = image::toImage8(answer.display);
+    describeImage(point, shown, shown, answer.display, reference_, run_.experiment.differenceScale,
+                  run_.folder, plan.stem);
   }
 
   ChartRun& run_;

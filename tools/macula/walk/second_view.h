@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/image/legend.h"
 #include "engine/ui/settings_panel.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
@@ -53,6 +54,8 @@ class SecondView {
   /// A difference of 1 / scale has the hottest colour; a power of two.
   [[nodiscard]] float differenceScale() const { return scale_; }
   void scaleDifference(bool up);
+  /// What the colours of the difference mean.
+  [[nodiscard]] image::Legend differenceLegend() const;
 
   [[nodiscard]] ui::SettingsPanel& panel() { return panel_; }
   [[nodiscard]] settings::Registry& registry() { return registry_; }
