@@ -19,6 +19,9 @@ constexpr int kMinWidth = 16;
 /// blurred()) enough that no lobe shows single samples.
 constexpr int kLobeSamples = 48;
 constexpr int kEvenSamples = 48;
+/// Small levels, whose lobes are wide in texels, have more, up to so many times; it costs little.
+constexpr int kMostTimes = 16;
+constexpr int kTexelsOfTimes = 8192;  ///< over the level's texels: how many times
 /// From one sample to the next around the axis; no two then stand in a line (Vogel 1979).
 constexpr float kGoldenAngle = 2.3999632F;
 
@@ -84,8 +87,11 @@ struct LobeSample {
   double solidAngle;  ///< that it stands for
 };
 
-std::vector<LobeSample> lobeOf(float roughness) {
+/// @param times as many samples as the least
+std::vector<LobeSample> lobeOf(float roughness, int times) {
   std::vector<LobeSample> lobe;
+  const int byLobe = times * kLobeSamples;
+  const int even = times * kEvenSamples;
   const float a2 = roughness * roughness * roughness * roughness;
   const auto add = [&](int i, float cosH) {
     const float cosine = 2.0F * cosH * cosH - 1.0F;
@@ -96,18 +102,17 @@ std::vector<LobeSample> lobeOf(float roughness) {
     // share the hemisphere by the balance heuristic (Veach and Guibas 1995, Eq. 14).
     const double spread = (static_cast<double>(a2) - 1.0) * cosH * cosH + 1.0;
     const double density = static_cast<double>(a2) / (4.0 * std::numbers::pi * spread * spread);
-    const double solidAngle =
-        1.0 / (kLobeSamples * density + kEvenSamples / (2.0 * std::numbers::pi));
+    const double solidAngle = 1.0 / (byLobe * density + even / (2.0 * std::numbers::pi));
     lobe.push_back({{sine * std::cos(phi), sine * std::sin(phi), cosine},
                     static_cast<float>(density * solidAngle) * cosine,
                     solidAngle});
   };
-  for (int i = 0; i < kLobeSamples; ++i) {
-    const float xi = (static_cast<float>(i) + 0.5F) / kLobeSamples;
+  for (int i = 0; i < byLobe; ++i) {
+    const float xi = (static_cast<float>(i) + 0.5F) / static_cast<float>(byLobe);
     add(i, std::sqrt((1.0F - xi) / (1.0F + (a2 - 1.0F) * xi)));
   }
-  for (int i = 0; i < kEvenSamples; ++i) {
-    const float cosine = (static_cast<float>(i) + 0.5F) / kEvenSamples;
+  for (int i = 0; i < even; ++i) {
+    const float cosine = (static_cast<float>(i) + 0.5F) / static_cast<float>(even);
     add(i, std::sqrt(0.5F * (1.0F + cosine)));
   }
   return lobe;
@@ -121,7 +126,8 @@ Panorama blurred(const std::vector<Panorama>& averages, std::size_t level, float
   const Panorama& in = averages[level];
   Panorama out{in.width, in.height, {}};
   out.pixels.resize(in.pixels.size());
-  const std::vector<LobeSample> lobe = lobeOf(roughness);
+  const int times = std::clamp(kTexelsOfTimes / (in.width * in.height), 1, kMostTimes);
+  const std::vector<LobeSample> lobe = lobeOf(roughness, times);
   std::vector<std::size_t> levels;
   const double texel = 4.0 * kPi / static_cast<double>(in.pixels.size());
   for (const LobeSample& sample : lobe) {

@@ -141,7 +141,8 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
 #else
   vec3 mirror = lights.ambient.rgb;
 #endif
-  sum.diffuse += r.diffuse * (1.0 - reflected) * ambientRadiance(s.normal) * s.occlusion;
+  // The fit exceeds 1 by some percent at grazing angles, where no light is left for the inside.
+  sum.diffuse += r.diffuse * max(1.0 - reflected, 0.0) * ambientRadiance(s.normal) * s.occlusion;
   sum.specular += reflected * mirror * s.occlusion;
   return sum;
 }

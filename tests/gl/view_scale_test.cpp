@@ -144,7 +144,7 @@ TEST_F(GlTest, NoSunMakesAPixelInfinite) {
     scene::Scene scene = tangle(40, 3);
     scene.materials[0].roughness = 0.0F;
     const scene::GpuScene gpu(scene, &environment);
-    for (const char* method : {"blend", "ab-sbuffer", "wboit", "peel", "kb-variable"}) {
+    for (const char* method : {"blend", "ab-sbuffer", "wboit"}) {
       passes::RenderSettings settings = linearSettings(method);
       settings.tonemap.curve = "neutral";
       passes::FrameRenderer renderer(settings, machine());

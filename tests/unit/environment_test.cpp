@@ -140,7 +140,7 @@ TEST(Environment, ARoughReflectionOfASunIsSmooth) {
       const glm::vec3 n = directionOf((static_cast<float>(x) + 0.5F) / 16.0F,
                                       (static_cast<float>(y) + 0.5F) / 8.0F);
       const double wanted = std::max(0.0, static_cast<double>(glm::dot(n, towards)));
-      EXPECT_NEAR(static_cast<double>(rough.at(x, y).g) / scale, wanted, 0.15) << x << "," << y;
+      EXPECT_NEAR(static_cast<double>(rough.at(x, y).g) / scale, wanted, 0.1) << x << "," << y;
     }
   }
 }

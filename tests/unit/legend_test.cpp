@@ -20,7 +20,9 @@ Color at(const Image8& image, int x, int y) {
 }
 
 bool close(const Color& a, const Color& b) {
-  return std::abs(a[0] - b[0]) < 5 && std::abs(a[1] - b[1]) < 5 && std::abs(a[2] - b[2]) < 5;
+  constexpr int kStep = 16;  // of the scale between two columns of a narrow bar
+  return std::abs(a[0] - b[0]) < kStep && std::abs(a[1] - b[1]) < kStep &&
+         std::abs(a[2] - b[2]) < kStep;
 }
 
 /// Whether a row holds the bar: from the coldest colour of viridis to the hottest.
