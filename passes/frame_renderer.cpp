@@ -161,6 +161,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   if (!prepared_) prepare();
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);
+  inputs_.gpu->chooseLights(camera, size.x / size.y);
   inputs_.gaze = gaze;
   cut_ = cut;
   const bool jumped =
@@ -173,6 +174,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   planFrame(lod_, settings_.lod, settings_.foveation, inputs_, settings_.tonemap.ssaa);
   lod_.load = shadingLoad_;
   planTransparency();
+  heatmapRange_ = heatmapRange(settings_.heatmap, plan_);
   shader::OitTotals totals = runOnce();
   extraMs_ = 0.0;
   int recaptures = 0;
@@ -271,6 +273,20 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
 
 void FrameRenderer::readDisplay(std::vector<std::uint8_t>& rgb) const {
   readRgb(resources_.texture(Resource::DisplayColor), GL_UNSIGNED_BYTE, rgb);
+}
+
+const gl::Texture& FrameRenderer::shownTexture() const {
+  const bool mapped = resources_.has(Resource::HeatmapColor);
+  return resources_.texture(mapped ? Resource::HeatmapColor : Resource::DisplayColor);
+}
+
+void FrameRenderer::readShown(std::vector<std::uint8_t>& rgb) const {
+  readRgb(shownTexture(), GL_UNSIGNED_BYTE, rgb);
+}
+
+std::optional<image::Legend> FrameRenderer::legend() const {
+  if (!resources_.has(Resource::HeatmapColor)) return std::nullopt;
+  return legendOf(settings_.heatmap, heatmapRange_);
 }
 
 void FrameRenderer::readLinear(std::vector<float>& rgb) const {

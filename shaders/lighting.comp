@@ -91,7 +91,7 @@ void store(ivec2 texel, ivec2 pixel, vec3 value, float depth, vec3 normal) {
 #if defined(AT_GRID) || defined(AT_TILES)
   imageStore(lodSamples, texel, packSample(value, inverseDistanceOf(depth), normal));
 #else
-  imageStore(target, pixel, vec4(value, 1.0));
+  imageStore(target, pixel, vec4(min(value, vec3(kMaxHalf)), 1.0));
 #endif
 }
 

@@ -63,7 +63,8 @@ enum class Resource : std::uint8_t {
   NetworkOutput,      ///< what it says of each tile: see shaders/lib/network_output.glsl
   OitTotals,          ///< sums over the image: see shaders/shared/oit_totals.h
   LinearColor,        ///< tone-mapped image before encoding, linear
-  DisplayColor,       ///< the image that is shown: RGBA8, encoded
+  DisplayColor,       ///< the image: RGBA8, encoded
+  HeatmapColor,       ///< what is shown in its place: a quantity as colours over it
   Count
 };
 

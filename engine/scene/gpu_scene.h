@@ -9,8 +9,10 @@
 
 #include "engine/gl/objects.h"
 #include "engine/scene/environment.h"
+#include "engine/scene/light_choice.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_facts.h"
+#include "shared/scene_data.h"
 
 namespace macula::scene {
 
@@ -60,6 +62,8 @@ class GpuScene {
 
   /// Binds vertices, instances and materials for drawing.
   void bindGeometry() const;
+  /// Where the scene has more lights than a frame takes, chooses those of this view.
+  void chooseLights(const Camera& camera, float aspect) const;
   /// Binds the lights' block and the environment texture.
   void bindLights() const;
   /// Binds the five textures of a material, white where it has none.
@@ -90,7 +94,11 @@ class GpuScene {
   gl::Buffer instanceNumbers_;
   gl::Buffer instances_;
   gl::Buffer materials_;
-  gl::Buffer lights_;
+  // What the buffer holds is a function of the view that was drawn last, whoever drew it.
+  mutable gl::Buffer lights_;
+  mutable LightChoice lightChoice_;
+  mutable std::vector<std::uint32_t> chosenLights_;
+  std::vector<shader::LightData> allLights_;  ///< where they do not all fit
   std::vector<gl::Texture> images_;
   std::vector<gl::SamplerId> samplers_;
   gl::Texture white_;

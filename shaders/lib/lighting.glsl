@@ -91,12 +91,12 @@ float lightTowards(LightData light, vec3 position, out vec3 l) {
   uint type = uint(light.position.w);
   if (type == LIGHT_DIRECTIONAL) return 1.0;
   vec3 d = light.position.xyz - position;
-  float d2 = max(dot(d, d), 1e-4);  // a light on the surface: 1 cm away at the least
+  float d2 = max(dot(d, d), lights.shadow.y);  // for a light on the surface
   l = d * inversesqrt(d2);
   // KHR_lights_punctual, "Range Property".
   float range = light.direction.w;
-  float q = d2 / max(range * range, 1e-8);
-  float attenuation = (range > 0.0 ? clamp(1.0 - q * q, 0.0, 1.0) : 1.0) / d2;
+  float q = range > 0.0 ? d2 / (range * range) : 0.0;
+  float attenuation = clamp(1.0 - q * q, 0.0, 1.0) / d2;
   if (type != LIGHT_SPOT) return attenuation;
   float a = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
   return attenuation * a * a;
@@ -160,7 +160,8 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
 #else
   vec3 mirror = lights.ambient.rgb;
 #endif
-  sum.diffuse += r.diffuse * (1.0 - reflected) * ambientRadiance(s.normal) * s.occlusion;
+  // The fit exceeds 1 by some percent at grazing angles, where no light is left for the inside.
+  sum.diffuse += r.diffuse * max(1.0 - reflected, 0.0) * ambientRadiance(s.normal) * s.occlusion;
   sum.specular += reflected * mirror * s.occlusion;
 #ifdef DEMODULATE
   sum.perColor += ((1.0 - s.metallic) * (1.0 - reflected) * ambientRadiance(s.normal) +

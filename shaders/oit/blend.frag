@@ -1,4 +1,5 @@
 // Transparent fragments in the order in which they are drawn.
+#include "lib/half.glsl"
 #include "lib/transparent.glsl"
 
 layout(location = 0) out vec4 color;
@@ -7,5 +8,5 @@ void main() {
 #ifdef HOLED
   if (!isThere()) discard;
 #endif
-  color = shadeTransparent();
+  color = min(shadeTransparent(), vec4(kMaxHalf));
 }

@@ -62,7 +62,8 @@ struct LightBlock {
   vec4 ambient;           // constant ambient radiance; w: count of lights
   vec4 environment;       // x: mip levels, y: intensity
   mat4 shadowMatrix;      // world to shadow map, 0..1 in x, y and z
-  vec4 shadow;            // x: width of the map in world units
+  vec4 shadow;            // x: width of the map in world units; y: square of the least distance
+                          // to a light
   vec4 occlusion;         // x: radius in world units, y: samples
   vec4 veins[MAX_VEINS];  // linear rgb; w: veins a metre
   vec4 irradiance[SH_COEFFICIENTS];

@@ -389,6 +389,33 @@ def check_moving(folder):
     assert ">Flicker<" in dom and dom.count("nowhere.glb: optional, and not here") == 1
 
 
+def check_heatmap(folder):
+    """A variant with a heat map shows it, and its errors and differences are those of its image."""
+    chart(folder, """title = "Mapped"
+scenes = ["layers-8"]
+sizes = ["64x64"]
+frames = 1
+budgets = [{ k_ave = 4 }]
+[[variant]]
+id = "plain"
+settings = { oit.method = "kb-variable" }
+budgets = true
+[[variant]]
+id = "mapped"
+settings = { oit.method = "kb-variable", view.heatmap = "k" }
+budgets = true
+""")
+    plain, mapped = results(folder)["points"]
+    pictures = {}
+    for point in (plain, mapped):
+        for role in ("image", "difference"):
+            with open(os.path.join(folder, "out", point["images"][role]), "rb") as f:
+                pictures[point["variant"], role] = f.read()
+    assert plain["error"] == mapped["error"] and plain["error"]["rmse"] > 0
+    assert pictures["plain", "image"] != pictures["mapped", "image"]
+    assert pictures["plain", "difference"] == pictures["mapped", "difference"]
+
+
 def check_learned(folder):
     """The ready-made experiment of networks, cut down; the models are not beside this folder."""
     with open(os.path.join(SOURCE, "assets", "experiments", "learned.toml"), encoding="utf-8") as f:
@@ -493,6 +520,8 @@ def main():
             check_sweep(swept)
         with tempfile.TemporaryDirectory() as moving:
             check_moving(moving)
+        with tempfile.TemporaryDirectory() as mapped:
+            check_heatmap(mapped)
         with tempfile.TemporaryDirectory() as learned:
             check_learned(learned)
         check_kept(folder)

@@ -198,8 +198,21 @@ def test_views():
     walk("difference", "1 view difference\n2 png difference-only.png\n", "--no-panels", "--method",
          "ab-sbuffer", frames=4)
     grey = read_png("difference-only.png")
-    check(all(row[0::3] == row[1::3] == row[2::3] for row in grey[2]),
+    legend = 70  # rows at the top that a legend may take
+    check(all(row[0::3] == row[1::3] == row[2::3] for row in grey[2][legend:]),
           "difference: a method and itself leave only grey")
+    # Equal images by methods whose k differs.
+    walk("map", "1 set view.heatmap=k\n2 png map-only.png\n4 set-second oit.method=kb-fixed\n"
+         "4 set-second oit.kAve=8\n4 view difference\n6 png map-difference-only.png\n",
+         "--no-panels", "--method", "ab-sbuffer", frames=8)
+    heat = read_png("map-only.png")
+    check(differing(a, heat, whole) > 0.5, "heat map: it is shown")
+    coldest = any(row[i] == 68 and row[i + 1] < 8 for row in heat[2][:legend]
+                  for i in range(0, len(row), 3))
+    check(coldest, "heat map: its legend is on the picture")  # four slots are the hottest colour
+    check(all(row[0::3] == row[1::3] == row[2::3]
+              for row in read_png("map-difference-only.png")[2][legend:]),
+          "heat map: differences are those of the images")
     numbers, _ = walk("difference-two", "1 set-second oit.method=blend\n1 view difference\n"
                       "2 press ,\n3 png hot-only.png\n", "--no-panels", "--method", "ab-sbuffer",
                       frames=5)

@@ -183,8 +183,8 @@ TEST_F(Tails, CountAsSlotsInTheHeatMap) {
   bare.draw();
   EXPECT_EQ(tailed.draw().layers->mean, 4.0);
   hottest.draw();
-  EXPECT_EQ(tailed.display(), bare.display());
-  EXPECT_NE(tailed.display(), hottest.display()) << "four of eight is not the end of the scale";
+  EXPECT_EQ(tailed.shown(), bare.shown());
+  EXPECT_NE(tailed.shown(), hottest.shown()) << "four of eight is not the end of the scale";
 }
 
 TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {

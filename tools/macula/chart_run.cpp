@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interrupt.h"
 #include "engine/gaze/source.h"
+#include "replay_painter.h"
 
 namespace macula::tools {
 namespace {
@@ -200,8 +201,9 @@ class LoadedGroup {
   Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
     Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
     contender.describe(point);
-    describeImage(point, contender.shown(), contender.display(), reference_,
-                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    const image::Image8 shown = contender.shown();
+    describeImage(point, shownPicture(contender.renderer(), shown), shown, contender.display(),
+                  reference_, run_.experiment.differenceScale, run_.folder, plan.stem);
     return point;
   }
 
@@ -242,8 +244,9 @@ class LoadedGroup {
                           {"lost", answer.lost},
                           {"loss", loss}};
     point["k"] = {{"min", answer.kMin}, {"max", answer.kMax}, {"mean", answer.kMean}};
-    describeImage(point, image::toImage8(answer.display), answer.display, reference_,
-                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    const image::Image8 shown = image::toImage8(answer.display);
+    describeImage(point, shown, shown, answer.display, reference_, run_.experiment.differenceScale,
+                  run_.folder, plan.stem);
   }
 
   ChartRun& run_;

@@ -169,13 +169,11 @@ void holdScene(HoldOptions& options) {
   record.steps = parseLoads(options.loads, options.frames);
   auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
   const FollowedGaze followed(*gazeSource, options.gazeSettings);
   followed.printWarnings();
   record.gazeLog = followed.toJson();
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  printWarnings(loaded.scene, path.at(0.0), aspectOf(record.size));
   std::optional<OutputFolder> output;
   if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
 

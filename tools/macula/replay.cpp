@@ -63,12 +63,10 @@ void replay(ReplayOptions& options) {
   const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   const auto trueGaze = gaze::parseGazeSpec(options.gaze, gaze::undelayed(options.gazeSettings));
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
   const FollowedGaze followed(*gazeSource, options.gazeSettings);
   followed.printWarnings();
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  printWarnings(loaded.scene, path.at(0.0), aspectOf(size));
 
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";

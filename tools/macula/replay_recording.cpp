@@ -49,7 +49,8 @@ class Session {
 
  private:
   void apply(const recording::Settings& settings);
-  void loadScene(const recording::SceneSource& source);
+  /// @param frame the first that is drawn with it
+  void loadScene(const recording::SceneSource& source, const recording::Frame& frame);
   void follow(const recording::Frame& frame);
   [[nodiscard]] std::string placeOf(const recording::Frame& frame) const;
   void compareHash(const recording::Frame& frame, const passes::FrameResult& result,
@@ -88,7 +89,7 @@ Session::Session(ReplayOptions& options, const recording::Recording& recording,
   if (!recording.session.environmentSha256.empty()) {
     recording::checkFile(options.settings.environment, recording.session.environmentSha256);
   }
-  loadScene(recording.session.scene);
+  loadScene(recording.session.scene, recording.frames.front());
 }
 
 void Session::apply(const recording::Settings& settings) {
@@ -107,11 +108,9 @@ void Session::apply(const recording::Settings& settings) {
   referenceSettings_ = passes::referenceOf(options_.settings);
 }
 
-void Session::loadScene(const recording::SceneSource& source) {
+void Session::loadScene(const recording::SceneSource& source, const recording::Frame& frame) {
   const LoadedScene loaded = loadForRendering(recording::checkedScene(source), options_.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
+  printWarnings(loaded.scene, frame.camera, aspectOf(frame.size));
   run_.loadMs += loaded.loadMs;
   auto gpu = std::make_unique<scene::GpuScene>(loaded.scene,
                                                loaded.environment ? &*loaded.environment : nullptr);
@@ -121,7 +120,7 @@ void Session::loadScene(const recording::SceneSource& source) {
 
 void Session::follow(const recording::Frame& frame) {
   apply(frame.settings);
-  if (!frame.scene.name.empty()) loadScene(frame.scene);
+  if (!frame.scene.name.empty()) loadScene(frame.scene, frame);
   if (!painter_) {
     painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
     if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);

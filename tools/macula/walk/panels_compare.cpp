@@ -34,9 +34,7 @@ void drawSecond(const PanelInput& input, Requests& requests) {
   }
   if (second.mode() == ViewMode::Split) ui::note("Drag the line in the picture.");
   if (second.mode() == ViewMode::Difference) {
-    const double hottest = 1.0 / static_cast<double>(second.differenceScale());
-    ui::drawLegend({fmt::format("largest |A - B| of R, G, B, times {:g}", second.differenceScale()),
-                    hottest, true, "equal"});
+    ui::drawLegend(second.differenceLegend());
     if (ui::flowButton("amplify more (,)", true)) {
       requests.push_back({Action::ScaleDifference, "down"});
     }

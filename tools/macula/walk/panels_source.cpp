@@ -135,6 +135,7 @@ void drawStatus(const PanelInput& input) {
 void drawSceneTab(const PanelInput& input, TabState& state, Requests& requests) {
   ui::note(input.scene.name, ui::Tone::Plain);
   ui::note(input.scene.facts);
+  for (const std::string& warning : input.scene.warnings) ui::note(warning, ui::Tone::Warning);
   ImGui::Separator();
   drawRecipes(input, state, requests);
   ImGui::Separator();

@@ -14,36 +14,18 @@
 namespace macula::tools {
 namespace {
 
-struct MapWords {
-  std::string_view map;
-  const char* quantity;
-  bool mayExceed;
-};
-
-constexpr std::array kMapWords{
-    MapWords{"k", "k(p): slots of each sample", true},
-    MapWords{"depth-complexity", "transparent fragments of each sample", true},
-    MapWords{"importance", "importance, Eq. 6", false},
-    MapWords{"periphery", "periphery factor, Eq. 4", false},
-    MapWords{"depth-factor", "depth complexity factor, Eq. 3", false},
-    MapWords{"fresnel", "Fresnel factor, Eq. 5", false},
-    MapWords{"shading-rate", "log2 of the texels a side that share a sample of the shading", false},
-};
-
 void drawHeatmapLegend(const PanelInput& input) {
-  const std::string& map = input.settings.heatmap.map;
-  const auto words = std::find_if(kMapWords.begin(), kMapWords.end(),
-                                  [&](const MapWords& row) { return row.map == map; });
-  if (words == kMapWords.end()) return;
+  if (input.settings.heatmap.map == "none") return;
+  if (const std::optional<ui::Legend> legend = input.renderer.legend()) {
+    ui::drawLegend(*legend);
+    return;
+  }
   for (const frame::PassReport& pass : input.renderer.report()) {
     if (pass.name == "heatmap" && !pass.runs) {
       ui::note(fmt::format("Not shown: {}.", pass.reason), ui::Tone::Warning);
       return;
     }
   }
-  ui::drawLegend({words->quantity,
-                  passes::heatmapRange(input.settings.heatmap, input.renderer.plan()),
-                  words->mayExceed});
 }
 
 void drawFragments(const passes::FrameResult& result) {

@@ -94,12 +94,12 @@ void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, b
 
 void SecondView::compose(const Screen& screen, const passes::FrameRenderer& first,
                          glm::ivec2 window) {
-  const gl::Texture& a = first.resources().texture(frame::Resource::DisplayColor);
+  const gl::Texture& a = first.shownTexture();
   if (!shown() || !renderer_) {
     screen.show(a);
     return;
   }
-  const gl::Texture& b = renderer_->resources().texture(frame::Resource::DisplayColor);
+  const gl::Texture& b = renderer_->shownTexture();
   const glm::ivec2 size(a.width(), a.height());
   switch (mode_) {
     case ViewMode::Split: {
@@ -114,7 +114,9 @@ void SecondView::compose(const Screen& screen, const passes::FrameRenderer& firs
       screen.show(b, {{0, 0}, size}, {window.x - size.x, 0});
       break;
     case ViewMode::Difference:
-      drawDifference(a, b);
+      // Of the images, never of false colours.
+      drawDifference(first.resources().texture(frame::Resource::DisplayColor),
+                     renderer_->resources().texture(frame::Resource::DisplayColor));
       screen.show(difference_);
       break;
     case ViewMode::One:
@@ -135,6 +137,11 @@ void SecondView::drawDifference(const gl::Texture& first, const gl::Texture& sec
   glBindImageTexture(IMG_0, difference_.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   const glm::ivec2 groups = (size + FULLSCREEN_GROUP - 1) / FULLSCREEN_GROUP;
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+}
+
+image::Legend SecondView::differenceLegend() const {
+  return {fmt::format("largest |A - B| of R, G, B, times {:g}", scale_),
+          1.0 / static_cast<double>(scale_), true, "equal"};
 }
 
 void SecondView::scaleDifference(bool up) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/image/legend.h"
 #include "engine/ui/frame_rate.h"
 #include "engine/ui/settings_panel.h"
 #include "passes/frame_renderer.h"
@@ -55,6 +56,8 @@ class SecondView {
   /// A difference of 1 / scale has the hottest colour; a power of two.
   [[nodiscard]] float differenceScale() const { return scale_; }
   void scaleDifference(bool up);
+  /// What the colours of the difference mean.
+  [[nodiscard]] image::Legend differenceLegend() const;
 
   [[nodiscard]] ui::SettingsPanel& panel() { return panel_; }
   [[nodiscard]] settings::Registry& registry() { return registry_; }

@@ -22,6 +22,7 @@
 #include "walk/error_check.h"
 #include "walk/frame_events.h"
 #include "walk/gaze_control.h"
+#include "walk/legend_overlay.h"
 #include "walk/options.h"
 #include "walk/panels.h"
 #include "walk/recorder.h"
@@ -113,6 +114,7 @@ class WalkSession {
   Script script_;
   ui::UiContext ui_;
   Screen screen_;
+  LegendOverlay legends_;
   SceneLoader loader_;
   GazeControl gaze_;
   CameraControl camera_;

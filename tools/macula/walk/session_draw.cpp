@@ -92,6 +92,7 @@ void WalkSession::compose() {
     screen_.show(*map);
   } else {
     second_->compose(screen_, *renderer_, size_);
+    legends_.show(screen_, *renderer_, *second_, size_);
   }
 }
 
@@ -124,13 +125,9 @@ void WalkSession::measureErrors(const std::string& against) {
   pair.referenceName = reference.oit.method;
   pair.scene = events_.scene;
   pair.frame = events_.index;
-  if (a.heatmap.map == "none") {
-    // What is seen is what is measured.
-    pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
-    renderer_->readDisplay(pair.test.pixels);
-  } else {
-    pair.test = drawStill(a, *machine_, *scene_.gpu, events_, renderer_->inputs().levers);
-  }
+  // What is seen is what is measured, but for a heat map over it.
+  pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
+  renderer_->readDisplay(pair.test.pixels);
   pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_, {});
   errors_.start(std::move(pair));
 }

@@ -68,6 +68,11 @@ void WalkSession::adopt(const ReadyScene& ready) {
   sceneChange_.reset();
   errors_.show(ErrorCheck::Map::None);
   window_.setTitle(fmt::format("Macula: {}", oneLine(scene_.name)));
+  if (const auto& warnings = scene_.warnings; !warnings.empty()) {
+    const auto more = warnings.size() - 1;
+    say(more == 0 ? warnings.front()
+                  : fmt::format("{} ({} more on the scene tab)", warnings.front(), more));
+  }
   if (!first) return;
   if (!options_.camera.empty() && options_.camera != "scene") camera_.play(options_.camera);
   // The time of loading is no time of the walk.
