@@ -20,7 +20,7 @@ namespace macula {
                                    const std::map<std::string, std::string>& texts);
 
 /// A page that needs no network: NAME.html of assets/report with the shared style and charts,
-/// uPlot, NAME.js, and the texts.
+/// uPlot, NAME.js, the texts, and a foot from the data's "provenance" (measure::toJson()).
 /// @param json the page's data @param texts further ones that the template names, ready for HTML
 /// @throws InputError where a file of assets/report is missing
 [[nodiscard]] std::string reportPageOf(const std::filesystem::path& assets, const std::string& name,

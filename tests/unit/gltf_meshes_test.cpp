@@ -69,7 +69,7 @@ TEST(GltfMeshes, MalformedReferencesAreRefused) {
   Square square;
   square.attributes["COLOR_0"] = square.attribute<float>({1, 1, 1}, kF32, "VEC3", 1);
   square.draw({{"attributes", square.attributes}});
-  EXPECT_SAYS(messageOf(square), "COLOR_0 has 1 elements for 4 positions");
+  EXPECT_SAYS(messageOf(square), "COLOR_0 has 1 element for 4 positions");
   Square accessor;
   accessor.attributes["TEXCOORD_0"] = 99;
   accessor.draw({{"attributes", accessor.attributes}});

@@ -14,10 +14,13 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/nearest.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
+#include "engine/scene/load.h"
 #include "engine/settings/toml_file.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -124,7 +127,38 @@ Provenance provenanceOf(const passes::Machine& machine) {
           machine.capabilities.version,
           machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
                                                         : "GL timer queries",
-          date};
+          date,
+          {}};
+}
+
+/// What the experiment reads: lists in the order of its studies, each thing once.
+/// @param name of the experiment on the command line @param file it was read from
+nlohmann::ordered_json madeFrom(const Experiment& experiment, const std::string& name,
+                                const fs::path& file) {
+  using nlohmann::ordered_json;
+  measure::Provenance made = provenanceOfRun();
+  ordered_json& inputs = made.inputs;
+  measure::Input own = measure::inputOf(file);
+  own.name = name;
+  inputs["experiment"] = measure::toJson(own);
+  for (const char* key : {"scene", "gaze", "camera", "fps", "seed"}) {
+    inputs[key] = ordered_json::array();
+  }
+  const auto add = [&](const char* key, const ordered_json& value) {
+    ordered_json& list = inputs[key];
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+  };
+  for (const Study& study : experiment.studies) {
+    for (const std::string& scene : study.scenes) {
+      const bool absent = scene::isSceneFile(scene) && !fs::exists(scene);  // an optional one
+      if (!absent) add("scene", measure::toJson(sceneInput(scene)));
+    }
+    add("gaze", measure::toJson(gazeInput(study.gaze, {})));
+    add("camera", measure::toJson(cameraInput(study.camera)));
+    if (study.pathFrames > 0) add("fps", study.pathFps);
+    for (const std::int64_t seed : study.seeds) add("seed", seed);
+  }
+  return measure::toJson(made);
 }
 
 std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
@@ -168,8 +202,9 @@ void printSummary(const Results& results, const ChartRun& run, const fs::path& f
     if (row.state == TargetRow::State::Unmeasured) where += (where.empty() ? "" : ": ") + row.note;
     fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value, where);
   }
-  fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
-             run.measured, run.kept, refused, (folder / "report.html").string());
+  fmt::print("{}: {} measured now, {} kept, {} refused\nreport: {}\n",
+             counted(results.points.size(), "point"), run.measured, run.kept, refused,
+             (folder / "report.html").string());
 }
 
 }  // namespace
@@ -179,6 +214,7 @@ void chart(const ChartOptions& options) {
   const Experiment experiment = parseExperiment(readTextFile(path), path.string());
   checkExperiment(experiment);
   const fs::path folder(options.out);
+  const nlohmann::ordered_json made = madeFrom(experiment, options.experiment, path);
   makeOutputFolder(folder);
   PointsFile file(folder / "points.jsonl");
 
@@ -190,11 +226,12 @@ void chart(const ChartOptions& options) {
 
   Results results{
       &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
+  results.provenance.made = made;
   results.targets = judge(experiment, results.points);
   writeResults(results, folder);
   if (run.interrupted) {
-    failInput("interrupted with {} points finished; the same command goes on from there",
-              results.points.size());
+    failInput("interrupted with {} finished; the same command goes on from there",
+              counted(results.points.size(), "point"));
   }
   writeJson(options.json, toJson(results));
   if (options.json != "-") printSummary(results, run, folder);

@@ -12,6 +12,7 @@
 #include "engine/measure/statistics.h"
 #include "engine/settings/command_line.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -91,12 +92,23 @@ std::string csvOf(const Json& results) {
   return csv;
 }
 
+Json provenanceOf(const Options& options) {
+  measure::Provenance provenance = provenanceOfRun(options.registry);
+  Json logs = Json::array();
+  for (const std::string& file : options.files) {
+    logs.push_back(measure::toJson(gazeInput(file, gaze::logOptionsOf(options.settings))));
+  }
+  provenance.inputs.update({{"gaze", logs}, {"fps", options.fps}, {"seed", nullptr}});
+  return measure::toJson(provenance);
+}
+
 void study(const Options& options) {
   makeOutputFolder(options.out);
   Json results{{"schema", 1},
                {"commit", MACULA_COMMIT},
                {"fps", options.fps},
                {"settings", Json(options.registry.toJson())},
+               {"provenance", provenanceOf(options)},
                {"logs", Json::array()}};
   ProgressBar progress("gaze study", static_cast<int>(options.files.size()));
   for (const std::string& file : options.files) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -85,7 +86,8 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
                     {"target_ms", record.targetMs},
                     {"target_share", nullptr},
                     {"frames", record.held.size()},
-                    {"settings", options.registry.toJson()}};
+                    {"settings", options.registry.toJson()},
+                    {"provenance", record.provenance}};
   if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;
   if (options.targetShare) json["target_share"] = *options.targetShare;
   json["loads"] = ordered_json::array();
@@ -200,9 +202,9 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
                               : !m.met ? "not judged, for every frame settles"
                               : *m.met ? "met"
                                        : "missed";
-  text +=
-      fmt::format("within 5 % and the spread: {:.1f} % of {} frames (to reach: {:.0f} %): {}\n",
-                  kPercent * m.withinTolerance, m.judged, kPercent * control::kGateShare, verdict);
+  text += fmt::format("within 5 % and the spread: {:.1f} % of {} (to reach: {:.0f} %): {}\n",
+                      kPercent * m.withinTolerance, counted(m.judged, "frame"),
+                      kPercent * control::kGateShare, verdict);
   return text;
 }
 

@@ -14,6 +14,7 @@
 #include "hold_record.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -160,6 +161,7 @@ void holdScene(HoldOptions& options) {
   }
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
   if (!options.out.empty()) makeOutputFolder(options.out);
+  record.provenance = provenanceOfFrames(options);
 
   const window::HeadlessContext context(platformOf(options.platform));
   Stage stage(std::move(loaded), std::move(path), std::move(gazeSource));

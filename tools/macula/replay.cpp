@@ -11,6 +11,7 @@
 #include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/gaze/point_error.h"
 #include "engine/gaze/source.h"
@@ -19,6 +20,7 @@
 #include "engine/measure/hazards.h"
 #include "engine/measure/run_record.h"
 #include "passes/frame_renderer.h"
+#include "provenance.h"
 #include "replay_painter.h"
 #include "replay_recording.h"
 
@@ -42,8 +44,9 @@ passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
 
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
   const auto& summary = report["summary"];
-  fmt::print("{} frames of {} by {}: median {:.2f} ms", options.frames, options.scene,
-             options.settings.oit.method, summary["ms"]["median"].get<double>());
+  const auto frames = counted(static_cast<std::uint64_t>(options.frames), "frame");
+  fmt::print("{} of {} by {}: median {:.2f} ms", frames, options.scene, options.settings.oit.method,
+             summary["ms"]["median"].get<double>());
   if (options.reference) fmt::print(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
   fmt::print("\nreport: {}\n", (std::filesystem::path(options.out) / "report.json").string());
 }
@@ -63,6 +66,7 @@ void replay(ReplayOptions& options) {
     fmt::print(stderr, "warning: {}\n", oneLine(warning));
   }
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  const nlohmann::ordered_json provenance = provenanceOfFrames(options);
 
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";
@@ -84,6 +88,7 @@ void replay(ReplayOptions& options) {
   }
 
   measure::RunRecord run;
+  run.provenance = provenance;
   run.loadMs = loaded.loadMs;
   const auto noteFirstFrame = [&] {
     if (run.firstFrameMs == 0.0) run.firstFrameMs = millisecondsSince(begin);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
 #include "engine/ui/widgets.h"
 #include "walk/file_names.h"
@@ -134,9 +135,9 @@ void drawSceneTab(const PanelInput& input, TabState& state, Requests& requests) 
   ImGui::Separator();
   std::error_code error;
   const auto folder = std::filesystem::weakly_canonical(state.folder, error);
-  ui::note(fmt::format("{}: {}", folder.string(),
-                       state.files.empty() ? "no .glb or .gltf"
-                                           : fmt::format("{} scene files", state.files.size())));
+  ui::note(fmt::format(
+      "{}: {}", folder.string(),
+      state.files.empty() ? "no .glb or .gltf" : counted(state.files.size(), "scene file")));
   for (const std::filesystem::path& file : state.files) {
     if (ImGui::Selectable(file.filename().c_str(), file.string() == input.scene.name)) {
       requests.push_back({Action::LoadScene, file.string()});
@@ -203,7 +204,8 @@ void drawCameraTab(const PanelInput& input, TabState& state, Requests& requests)
   ImGui::Separator();
   if (camera.recording()) {
     ui::nameValue("recording",
-                  fmt::format("{:.1f} s, {} keys", camera.recordedSeconds(), camera.recordedKeys()),
+                  fmt::format("{:.1f} s, {}", camera.recordedSeconds(),
+                              counted(camera.recordedKeys(), "key")),
                   ui::Tone::Error);
   }
   if (ui::flowButton(camera.recording() ? "end and save (L)" : "record a path (L)", true)) {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "engine/core/plural.h"
 #include "engine/ui/widgets.h"
 
 namespace macula::tools {
@@ -18,8 +19,9 @@ ShownScene upload(const ReadyScene& ready) {
   for (const scene::Instance& instance : loaded.scene.instances) {
     triangles += loaded.scene.primitives[instance.primitive].indices.size() / 3;
   }
-  shown.facts = fmt::format("{} triangles, {} draws, {}", ui::countText(triangles),
-                            loaded.scene.instances.size(), ui::bytesText(shown.gpu->bytes()));
+  shown.facts = fmt::format(
+      "{} {}, {}, {}", ui::countText(triangles), nounFor(triangles, "triangle"),
+      counted(loaded.scene.instances.size(), "draw"), ui::bytesText(shown.gpu->bytes()));
   return shown;
 }
 

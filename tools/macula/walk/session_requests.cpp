@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
 #include "walk/actions.h"
 #include "walk/command_text.h"
@@ -32,13 +33,6 @@ std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
               nearestName(wanted, names));
   }
   return static_cast<std::size_t>(found - names.begin());
-}
-
-bool isProcedural(const std::string& name) {
-  const std::vector<scene::RecipeInfo> recipes = scene::recipes();
-  return name.starts_with("layers-") || name.starts_with("medley-") ||
-         std::any_of(recipes.begin(), recipes.end(),
-                     [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
 }
 
 }  // namespace
@@ -88,6 +82,7 @@ void WalkSession::noteChange() {
   std::optional<ui::SettingChange> change = panels_.settings().takeChange();
   if (!change) return;
   events_.changed.push_back(change->entry);
+  if (change->rival != nullptr) say(change->rivalNote());
   if (change->entry->group() == "control") return;  // the controller looks for itself
   if (change->entry->group() == "gaze" || change->entry->group() == "display") {
     gaze_.reopen();  // no image depends on it but through the point of interest
@@ -180,11 +175,11 @@ void WalkSession::drop(const std::string& path) {
     panels_.showTab("scene");
     return panels_.listFolder(path);
   }
-  if (isProcedural(path)) return loadScene(path);
+  if (scene::isProcedural(path)) return loadScene(path);
   if (!std::filesystem::exists(path, error)) {
     failInput("{}: no such file; drop a scene (.glb, .gltf), a gaze log or a camera path", path);
   }
-  if (isSceneFile(path)) {
+  if (scene::isSceneFile(path)) {
     panels_.listFolder(std::filesystem::path(path).parent_path());
     return loadScene(path);
   }
@@ -222,7 +217,8 @@ void WalkSession::toggleRecording() {
   }
   const std::filesystem::path file = nextFreeName("camera", "csv");
   camera_.finishRecording(file);
-  say(fmt::format("{} keys written: {}; P plays them", camera_.recordedKeys(), file.string()));
+  say(fmt::format("{} written: {}; P plays them", counted(camera_.recordedKeys(), "key"),
+                  file.string()));
 }
 
 void WalkSession::nextMap(const std::string& name) {
