@@ -102,9 +102,10 @@ std::string_view lineOf(std::string_view text, toml::source_index number) {
 }
 
 /// How a value that is a bare word is to be written: on a command line words need no quotes.
-std::string hintOf(std::string_view line) {
+/// @param column of the parser's complaint, from 1: in the value, behind its equals sign
+std::string hintOf(std::string_view line, std::size_t column) {
   constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t equals = line.find('=');
+  const std::size_t equals = line.substr(0, column - 1).rfind('=');
   if (equals == std::string_view::npos) return {};
   std::string_view word = line.substr(equals + 1);
   word = word.substr(0, word.find_first_of(",#}]"));
@@ -139,7 +140,7 @@ toml::table parseToml(std::string_view text, std::string_view name) {
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
     failInput("{}:{}:{}: {}{}", name, at.line, at.column, error.description(),
-              hintOf(lineOf(text, at.line)));
+              hintOf(lineOf(text, at.line), at.column));
   }
 }
 

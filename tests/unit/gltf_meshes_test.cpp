@@ -175,7 +175,7 @@ TEST(GltfMeshes, TrianglesThatAreNotFiniteAreDropped) {
   square.draw({{"attributes", square.attributes}, {"mode", 5}});
   const Scene scene = square.load();
   EXPECT_EQ(scene.primitives.at(0).indices, (Indices{0, 1, 2}));
-  EXPECT_TRUE(warns(scene, "1 triangles with coordinates that are not finite"));
+  EXPECT_TRUE(warns(scene, "1 triangle with coordinates that are not finite"));
   EXPECT_EQ(boundsOf(scene).max, glm::vec3(1, 1, 0));
 }
 
