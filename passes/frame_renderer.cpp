@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/view.h"
 #include "passes/frame_list.h"
@@ -83,9 +84,11 @@ void FrameRenderer::resize(glm::ivec2 outputSize) {
   const int side = std::max(outputSize.x, outputSize.y) * settings_.tonemap.ssaa;
   if (side > machine_.capabilities.maxTextureSize) {
     failInput(
-        "{}x{} with {} samples per axis is more than this GPU's {} texels a side; lower "
+        "{}x{} with {} per axis is more than this GPU's {} texels a side; lower "
         "--size or --ssaa",
-        outputSize.x, outputSize.y, settings_.tonemap.ssaa, machine_.capabilities.maxTextureSize);
+        outputSize.x, outputSize.y,
+        counted(static_cast<std::uint64_t>(settings_.tonemap.ssaa), "sample"),
+        machine_.capabilities.maxTextureSize);
   }
   inputs_.outputSize = outputSize;
   settingsChanged();

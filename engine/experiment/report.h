@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct Provenance {
   std::string renderer;  ///< GL_RENDERER
   std::string version;   ///< GL_VERSION
   std::string timeSource;
-  std::string date;  ///< UTC, "2026-11-22"
+  std::string date;                  ///< UTC, "2026-11-22"
+  nlohmann::ordered_json made = {};  ///< command line and inputs: of measure::Provenance
 };
 
 /// A scene that was not measured, or a variant on it, and why.

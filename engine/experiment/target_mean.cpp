@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/core/plural.h"
+
 namespace macula::experiment {
 namespace {
 
@@ -44,7 +46,7 @@ std::string shortName(const std::string& scene) {
 std::string placeOf(const ScenePart& part, std::size_t scenes) {
   const std::string scene = shortName(textOf(*part.point, "scene"));
   const std::string rest = part.row.where.substr(std::min(scene.size() + 1, part.row.where.size()));
-  return fmt::format("mean of {} scene{}, {}", scenes, scenes == 1 ? "" : "s", rest);
+  return fmt::format("mean of {}, {}", counted(scenes, "scene"), rest);
 }
 
 TargetRow meanOf(const Target& target, const std::vector<std::string>& scenes,

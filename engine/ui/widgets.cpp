@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/core/plural.h"
+
 namespace macula::ui {
 namespace {
 
@@ -113,7 +115,7 @@ std::string countText(unsigned long long count) {
 }
 
 std::string numberOf(unsigned long long count, std::string_view thing) {
-  return fmt::format("{} {}{}", countText(count), thing, count == 1 ? "" : "s");
+  return fmt::format("{} {}", countText(count), nounFor(count, thing));
 }
 
 }  // namespace macula::ui

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """macula chart from outside: results, report in a browser without network, interruption, refusals."""
 import csv
+import hashlib
 import json
 import os
 import re
@@ -201,6 +202,14 @@ def check_results(folder):
     assert float(rows[1]["rmse"]) == narrow["error"]["rmse"]
     assert float(rows[1]["ms.transparency"]) == narrow["ms"]["transparency"]["median"]
     assert rows[3]["reason"] == refused["reason"]
+    made_from = made["provenance"]
+    assert made_from["command"].startswith("macula chart "), made_from
+    assert made_from["commit"] == made["commit"] and made_from["version"], made_from
+    own = hashlib.sha256(TINY.encode()).hexdigest()
+    assert made_from["experiment"]["sha256"] == own, made_from
+    # A file that is not there was not read.
+    assert [s["name"] for s in made_from["scene"]] == ["layers-16"], made_from["scene"]
+    assert [c["name"] for c in made_from["camera"]] == ["auto"] and made_from["seed"] == [1]
 
 
 def check_oracles(folder):
@@ -274,6 +283,8 @@ def check_report(folder):
     addresses = set(re.findall(r"""(?:src|href)=["']?(?!data:)([a-z]+:)?//[^"' >]+""", text))
     assert not addresses, f"the page asks the network: {addresses}"
     dom = opened(browser, folder, page)
+    foot = dom[dom.index("How this was made"):]
+    assert "macula chart " in foot and "experiment.toml" in foot and "layers-16" in foot, foot[:2000]
     for chart_id, count in (("by-time", 3), ("by-bytes", 3)):
         at = dom.index(f'id="{chart_id}"')
         part = dom[at:dom.index("</figure>", at)]
@@ -501,6 +512,13 @@ def check_refusals(folder):
     refuses(TINY.replace("oit.method = \"kb-v", "oit.metod = \"kb-v"), "experiment.toml:11: ")
     refuses(TINY.replace("kb-variable", "kb-variabel"), "experiment.toml:11: ")
     refuses(TINY.replace("layers-16", "smok"), "smok")
+    refuses(TINY.replace("layers-16", "smok"), "the nearest is 'smoke' of gallery, ")
+    refuses(TINY.replace("layers-16", "nowhere/smoke"), "no such file; check the path")
+    refuses(TINY.replace("frames = 2", "frames = 2\nsettings = { oit.kAve = 2, oit.memoryMiB = 8 }"),
+            "drop oit.kAve to keep 8 MiB, or oit.memoryMiB to keep 2 fragments/sample")
+    refuses(TINY.replace("kb-variable\" }", "kb-variable\", oit.memoryMiB = 8 }"),
+            "measured at the budgets of its study")
+    refuses("settings = { oit.memoryMiB = 8 }\n" + SWEPT, "cannot hold together")
     refuses(SWEPT.replace("4.5, 2]", "0, 2]"), "experiment.toml:13: ")
     refuses(SWEPT.replace("oit.kAve = [8", "oit.kAev = [8"), "'oit.kAve'")
     refuses(SWEPT.replace("oit.kAve = [8, 3]", "frame.seed = [8, 3]"), "decides what is loaded")

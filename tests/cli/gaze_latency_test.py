@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Latency from outside: replay reports its error, gaze study charts it."""
 import csv
+import hashlib
 import json
 import os
 import subprocess
@@ -45,12 +46,20 @@ def check_study(folder):
     errors = [float(r["mean_deg"]) for r in rows if r["way"] == "as recorded"]
     assert errors[0] == 0 and errors[1] > 0.5 and errors[2] > errors[1], errors
     with open(os.path.join(out, "results.json")) as f:
-        landing = json.load(f)["logs"][0]["landing_error_deg"]
+        results = json.load(f)
+    made = results["provenance"]
+    with open(LOG, "rb") as f:
+        log_hash = hashlib.sha256(f.read()).hexdigest()
+    assert made["command"].startswith(f"macula gaze study {LOG} --latencies 0,60,150"), made
+    assert made["gaze"] == [{"name": LOG, "path": LOG, "sha256": log_hash, "files": []}], made
+    assert made["fps"] == 60 and made["seed"] is None and made["commit"] == results["commit"], made
+    landing = results["logs"][0]["landing_error_deg"]
     assert landing["predicted"]["frames"] > 50
     assert landing["predicted"]["mean"] < landing["unpredicted"]["mean"], landing
     with open(os.path.join(out, "report.html")) as f:
         page = f.read()
     assert "{{" not in page.split("<script>")[0] and "gallery_gaze.csv" in page
+    assert "How this was made" in page
     bad = subprocess.run([MACULA, "gaze", "study", LOG, "--latencies", "-5", "--out", out],
                          capture_output=True, text=True)
     assert bad.returncode == 2 and len(bad.stderr.splitlines()) == 1, bad

@@ -112,6 +112,11 @@ def check_easy(folder):
                               "--json", "-", "--out", "easy").stdout)
     assert results["gate"]["met"] is True and len(results["parts"]) == 1, results["gate"]
     assert results["steps"] == [] and results["held"]["over_102_share"] == 0
+    made = results["provenance"]
+    assert made["command"].startswith("macula hold smoke --target-ms 9000 "), made
+    assert made["commit"] == results["commit"] and made["version"], made
+    assert [made[role]["name"] for role in ("scene", "gaze", "camera")] == ["smoke", "center", "auto"]
+    assert made["fps"] == 60 and made["seed"] == 1, made
     for row in rows_of(os.path.join(folder, "easy", "results.csv")):
         assert (float(row["r"]), float(row["fovea_slope"]), float(row["layer_share"])) == (1, 1, 1)
 
@@ -175,6 +180,7 @@ def check_plant(folder):
     usual, _ = used()
     other, results = used("--control.mostResize", "2", "--control.leastAim", "0.9")
     assert results["most_r"] == 2 and results["least_aim"] == 0.9, results
+    assert results["provenance"]["command"].startswith("macula hold --plant --seeds 1"), results
     assert usual["unity"] != other["unity"]
     assert used("--control.resizeStep", "0.5")[0]["macula"] != usual["macula"]
     assert used("--control.expectedWorkMs", "90")[0]["yang2008"] != usual["yang2008"]
@@ -195,6 +201,11 @@ def check_refusals(folder):
             (("smoke", "--load", "none", "--load", "10:3"), "stands alone"),
             (("smoke", "--target-ms", "0"), "target-ms"),
             (("smoke", "--target-share", "3"), "target-share"),
+            (("smoke", "--target-share", "90"), "write 0.9 for 90 %"),
+            (("smoke", "--target-share", "90%"), "write 0.9 for 90 %"),
+            (("smoke", "--control.leastAim", "95%"), "write 0.95 for 95 %"),
+            (("smoke", "--camera", "orbit"), "give auto, scene, a path file or a recording"),
+            (("smoke", "--law", "yang"), "nearest: 'yang2008'"),
             (("smoke", "--target-share", "0.5", "--target-ms", "10"), "target"),
             (("smoke", "--law", "maccula"), "macula"),
             (("smoke", "--control.mostResize", "9"), "control.mostResize"),
@@ -233,6 +244,8 @@ def check_report(folder, page):
     words = {True: "held", False: "not held", None: "not judged"}
     assert [(row[2], row[4]) for row in cells["parts"]] == [
         (words[p["met"]], f"{p['ideal_r']:.2f}") for p in results["parts"]], cells["parts"]
+    foot = done.stdout[done.stdout.index("How this was made"):]
+    assert "macula hold smoke" in foot and "scene" in foot and "seed" in foot, foot[:2000]
 
 
 def main():

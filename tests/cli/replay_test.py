@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """macula replay from outside: schema, determinism, budget, gaze that follows the log."""
 import base64
+import hashlib
 import json
 import math
 import os
@@ -229,6 +230,84 @@ def check_gaze_follows(report, path):
         assert math.isclose(frame["gaze"]["raw_y"], y / 1024, abs_tol=1e-6), frame["gaze"]
 
 
+def sha256_of(path):
+    with open(path, "rb") as f:
+        return hashlib.sha256(f.read()).hexdigest()
+
+
+def scene_with_files(folder):
+    """layers-2 as a .gltf with its buffer beside it, and an image that is not there."""
+    packed = os.path.join(folder, "packed.glb")
+    subprocess.run([MACULA, "scene", "make", "layers-2", "--out", packed], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(packed, "rb") as f:
+        data = f.read()
+    length = struct.unpack_from("<I", data, 12)[0]
+    document = json.loads(data[20:20 + length])
+    with open(os.path.join(folder, "the data.bin"), "wb") as f:
+        f.write(data[28 + length:])
+    document["buffers"][0]["uri"] = "the%20data.bin"
+    document["images"] = [{"uri": "nowhere.png"}, {"uri": "data:image/png;base64,AAAA"}]
+    scene = os.path.join(folder, "two layers.gltf")
+    with open(scene, "w", encoding="utf-8") as f:
+        json.dump(document, f)
+    return scene
+
+
+def check_provenance(folder):
+    """What a report says it was made from: command, program, and every file by its hash."""
+    small = ("--frames", "1", "--size", "32x24", "--warmup", "0")
+    version = subprocess.run([MACULA, "--version"], check=True, capture_output=True,
+                             text=True).stdout
+    made, out = replay(folder, "layers-2", *small)
+    block = made["provenance"]
+    assert block["command"].startswith("macula replay layers-2 --out "), block
+    assert f"macula {block['version']} ({block['commit']})" in version, (block, version)
+    assert block["commit"] == made["commit"]
+    nothing = {"path": None, "sha256": None, "files": []}
+    assert block["scene"] == {"name": "layers-2", **nothing}, block
+    assert block["gaze"] == {"name": "center", **nothing}, block
+    assert block["camera"] == {"name": "auto", **nothing}, block
+    assert block["fps"] == 60 and block["seed"] == 1, block
+
+    scene = scene_with_files(folder)
+    log = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
+    path = os.path.join(SOURCE, "assets", "gallery_walk.csv")
+    options = (*small, "--gaze", log, "--camera", path, "--fps", "50", "--seed", "7")
+    made, _ = replay(folder, scene, *options)
+    block = made["provenance"]
+    assert f"replay '{scene}' --out {out} --frames 1" in block["command"], block["command"]
+    assert block["scene"] == {
+        "name": scene, "path": scene, "sha256": sha256_of(scene),
+        "files": [{"path": "the data.bin",
+                   "sha256": sha256_of(os.path.join(folder, "the data.bin"))},
+                  {"path": "nowhere.png", "sha256": None}]}, block["scene"]
+    for role, file in (("gaze", log), ("camera", path)):
+        assert block[role] == {"name": file, "path": file, "sha256": sha256_of(file),
+                               "files": []}, block[role]
+    assert block["fps"] == 50 and block["seed"] == 7, block
+    again, _ = replay(folder, scene, *options)
+    assert again["provenance"] == block, "two runs differ"
+
+    # The command may hold any bytes, and is still JSON.
+    odd = os.fsencode(os.path.join(folder, "caf")) + b"\xe9"
+    subprocess.run([MACULA, "replay", "layers-2", "--out", odd, *small], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(os.path.join(odd, b"report.json"), encoding="utf-8") as f:
+        assert "caf\ufffd" in json.load(f)["provenance"]["command"]
+
+
+def check_booleans_of_files(folder):
+    """A TOML file takes the command line's words."""
+    for word, on in (('"on"', True), ("1", True), ("true", True), ('"off"', False), ("0", False)):
+        file = os.path.join(folder, "settings.toml")
+        with open(file, "w", encoding="utf-8") as f:
+            f.write(f"oit.fill = {word}\n")
+        report, _ = replay(folder, "layers-2", "--frames", "1", "--size", "32x24", "--warmup", "0",
+                           "--config", file)
+        assert report["settings"]["oit.fill"] is on, word
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_exact_layers(folder)
@@ -240,6 +319,8 @@ def main():
         check_hdr(folder)
         check_heatmap(folder)
         check_warnings(folder)
+        check_provenance(folder)
+        check_booleans_of_files(folder)
         demo = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
         check_deterministic(folder, "layers-12", demo)
         log = os.path.join(DATA, "gaze", "tobii_studio_50hz_decimal_comma.tsv")

@@ -274,6 +274,14 @@ def test_files_and_keys():
     numbers, _ = walk("refused-set", "1 set oit.method=peel\n", "--oit.fill", "on")
     check(numbers["method"] == "kb-variable", "a method that is refused is taken back")
 
+    numbers, _ = walk("rivals", "1 set oit.memoryMiB=8\n2 set oit.kAve=2\n", frames=4)
+    check("oit.memoryMiB is 0 again" in numbers["message"], f"one budget: {numbers['message']}")
+    check("--k-ave 2" in numbers["command_line"] and "memory" not in numbers["command_line"],
+          f"the budget that was set last holds: {numbers['command_line']}")
+    numbers, _ = walk("rival-kept", "1 set oit.memoryMiB=0.000001\n", "--k-ave", "2")
+    check("--k-ave 2" in numbers["command_line"] and "memory" not in numbers["command_line"],
+          "a budget that is refused leaves the other")
+
     still, _ = walk("still", "")
     numbers, _ = walk("orbit", "", "--camera", "auto", scene="smoke")
     check(numbers["camera"]["playing"] and not still["camera"]["playing"], "the orbit plays")

@@ -236,6 +236,7 @@ TEST(CameraPathFile, NamesTheLineOfEveryMistake) {
   has(row("0,0,0,0,0,0,-1,180,0"), "line 2: vfov_deg is 180");
   has(row("0,0,0,0,0,0,-1,0,0"), "line 2: vfov_deg is 0");
   has(row("0,0,0,0,0,0,-1,45,2"), "line 2: cut is 2");
+  has(row("0,0,0,0,0,0,-1,45,true"), "line 2: cut is 'true'; write 0 or 1");
   has(row("-1,0,0,0,0,0,-1,45,0"), "line 2: time_s is -1");
   has(row("0,0,0,0,0,0,-1,45,0\n# note\n0,0,0,0,0,0,-1,45,0"), "line 4: time_s is 0 after 0");
 }

@@ -1,6 +1,7 @@
 // BIDS eye tracking: rows without a header, described by a JSON.
 #include <fstream>
 
+#include "engine/gaze/log_reader.h"
 #include "gaze_log_cases.h"
 #include "temporary_path.h"
 
@@ -117,6 +118,10 @@ TEST(Bids, FilesThatLieBesideTheRecording) {
   EXPECT_EQ(log.format, "bids");
   ASSERT_EQ(log.samples.size(), 2U);
   expectPlace(log.samples[0], 0.25, 0.2);
+  const auto beside = sidecarFiles(folder / "sub-01_task-look_recording-eye1_physio.tsv", {});
+  ASSERT_EQ(beside.size(), 2U);
+  EXPECT_EQ(beside[0].filename(), "sub-01_task-look_recording-eye1_physio.json");
+  EXPECT_EQ(beside[1].filename(), "sub-01_task-look_events.json");
   std::filesystem::remove_all(folder);
 }
 

@@ -17,12 +17,15 @@
 #include "engine/core/interrupt.h"
 #include "engine/core/nearest.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
 #include "engine/gaze/source.h"
+#include "engine/scene/load.h"
 #include "engine/settings/toml_file.h"
 #include "gaze_report.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -150,7 +153,38 @@ Provenance provenanceOf(const passes::Machine& machine) {
           machine.capabilities.version,
           machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
                                                         : "GL timer queries",
-          date};
+          date,
+          {}};
+}
+
+/// What the experiment reads: lists in the order of its studies, each thing once.
+/// @param name of the experiment on the command line @param file it was read from
+nlohmann::ordered_json madeFrom(const Experiment& experiment, const std::string& name,
+                                const fs::path& file) {
+  using nlohmann::ordered_json;
+  measure::Provenance made = provenanceOfRun();
+  ordered_json& inputs = made.inputs;
+  measure::Input own = measure::inputOf(file);
+  own.name = name;
+  inputs["experiment"] = measure::toJson(own);
+  for (const char* key : {"scene", "gaze", "camera", "fps", "seed"}) {
+    inputs[key] = ordered_json::array();
+  }
+  const auto add = [&](const char* key, const ordered_json& value) {
+    ordered_json& list = inputs[key];
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+  };
+  for (const Study& study : experiment.studies) {
+    for (const std::string& scene : study.scenes) {
+      const bool absent = scene::isSceneFile(scene) && !fs::exists(scene);  // an optional one
+      if (!absent) add("scene", measure::toJson(sceneInput(scene)));
+    }
+    add("gaze", measure::toJson(gazeInput(study.gaze, {})));
+    add("camera", measure::toJson(cameraInput(study.camera)));
+    if (study.pathFrames > 0) add("fps", study.pathFps);
+    for (const std::int64_t seed : study.seeds) add("seed", seed);
+  }
+  return measure::toJson(made);
 }
 
 std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
@@ -214,8 +248,9 @@ void printSummary(const Results& results, const ChartRun& run, const fs::path& f
     fmt::print("  {:<{}} {:>7}  {}\n", verdictOf(row), width, value, where);
   }
   if (!results.targets.empty()) fmt::print("targets: {}\n", summaryOf(results.targets));
-  fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
-             run.measured, run.kept, refused, (folder / "report.html").string());
+  fmt::print("{}: {} measured now, {} kept, {} refused\nreport: {}\n",
+             counted(results.points.size(), "point"), run.measured, run.kept, refused,
+             (folder / "report.html").string());
 }
 
 }  // namespace
@@ -226,6 +261,7 @@ void chart(const ChartOptions& options) {
   checkExperiment(experiment);
   const InterruptGuard guard;
   const fs::path folder(options.out);
+  const nlohmann::ordered_json made = madeFrom(experiment, options.experiment, path);
   OutputFolder output(folder, "chart", options.force);
   PointsFile file(folder / "points.jsonl");
 
@@ -239,6 +275,7 @@ void chart(const ChartOptions& options) {
   Results results{
       &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
   results.warnings = gazeWarnings(experiment);
+  results.provenance.made = made;
   results.targets = judge(experiment, results.points);
   if (run.interrupted) {
     if (results.points.empty()) endIfInterrupted();

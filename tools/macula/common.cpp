@@ -112,6 +112,10 @@ scene::CameraPath recordedPath(const std::string& folder) {
 scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
   if (spec == "auto") return scene::autoOrbit(scene);
   if (spec != "scene") {
+    std::error_code error;
+    if (!std::filesystem::exists(spec, error)) {
+      failInput("--camera {}: no such file; give auto, scene, a path file or a recording", spec);
+    }
     scene::CameraPath path =
         recording::isRecording(spec) ? recordedPath(spec) : scene::readCameraPath(spec);
     path.fitPlanes(scene::boundsOf(scene));

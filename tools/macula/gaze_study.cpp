@@ -16,6 +16,7 @@
 #include "engine/settings/command_line.h"
 #include "gaze_report.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -113,12 +114,26 @@ std::string csvOf(const Json& results) {
   return csv;
 }
 
+Json provenanceOf(const Options& options) {
+  measure::Provenance provenance = provenanceOfRun(options.registry);
+  Json logs = Json::array();
+  for (const std::string& file : options.files) {
+    logs.push_back(measure::toJson(gazeInput(file, gaze::logOptionsOf(options.settings))));
+  }
+  provenance.inputs.update({{"gaze", logs}, {"fps", options.fps}, {"seed", nullptr}});
+  return measure::toJson(provenance);
+}
+
 void study(const Options& options) {
   const InterruptGuard guard;
   OutputFolder output(options.out, "gaze study", options.force);
-  Json results{{"schema", 1},          {"commit", MACULA_COMMIT},
-               {"fps", options.fps},   {"settings", Json(options.registry.toJson())},
-               {"interrupted", false}, {"logs", Json::array()}};
+  Json results{{"schema", 1},
+               {"commit", MACULA_COMMIT},
+               {"fps", options.fps},
+               {"settings", Json(options.registry.toJson())},
+               {"provenance", provenanceOf(options)},
+               {"interrupted", false},
+               {"logs", Json::array()}};
   const std::size_t asked = options.files.size() * kWays.size() * options.latenciesMs.size();
   ProgressBar progress("gaze study", static_cast<int>(asked));
   std::size_t finished = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -112,7 +113,8 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
                     {"target_share", nullptr},
                     {"interrupted", !record.interrupted.empty()},
                     {"frames", record.held.size()},
-                    {"settings", options.registry.toJson()}};
+                    {"settings", options.registry.toJson()},
+                    {"provenance", record.provenance}};
   json["gaze_log"] = record.gazeLog;
   if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;
   if (options.targetShare) json["target_share"] = *options.targetShare;
@@ -232,10 +234,10 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
   }
   const Verdict verdict = verdictOf(record, options);
   text += fmt::format(
-      "within {:.1f} %, which is 5 % and the spread or {:.0f} %: {:.1f} % of {} frames (to reach: "
+      "within {:.1f} %, which is 5 % and the spread or {:.0f} %: {:.1f} % of {} (to reach: "
       "{:.0f} %): {}{}\n",
       kPercent * m.tolerance, kPercent * control::kMostTolerance, kPercent * m.withinTolerance,
-      m.judged, kPercent * control::kGateShare, verdict.word,
+      counted(m.judged, "frame"), kPercent * control::kGateShare, verdict.word,
       verdict.reason.empty() ? "" : ", for " + verdict.reason);
   return text;
 }

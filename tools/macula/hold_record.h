@@ -42,6 +42,7 @@ struct HoldRecord {
   std::string glRenderer;
   std::string glVersion;
   nlohmann::ordered_json gazeLog;  ///< see FollowedGaze::toJson()
+  nlohmann::ordered_json provenance;
   glm::ivec2 size{0};
   std::vector<LoadStep> steps;
   std::vector<LoadTimes> loads;

@@ -17,6 +17,7 @@
 #include "hold_record.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -176,6 +177,7 @@ void holdScene(HoldOptions& options) {
   printWarnings(loaded.scene, path.at(0.0), aspectOf(record.size));
   std::optional<OutputFolder> output;
   if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
+  record.provenance = provenanceOfFrames(options);
 
   const window::HeadlessContext context(platformOf(options.platform));
   Stage stage(std::move(loaded), std::move(path), std::move(gazeSource));

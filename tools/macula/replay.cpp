@@ -13,6 +13,7 @@
 #include "engine/core/file.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/gaze/point_error.h"
 #include "engine/gaze/source.h"
@@ -22,6 +23,7 @@
 #include "engine/measure/run_record.h"
 #include "gaze_report.h"
 #include "passes/frame_renderer.h"
+#include "provenance.h"
 #include "replay_painter.h"
 #include "replay_recording.h"
 
@@ -45,8 +47,9 @@ passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
 
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
   const auto& summary = report["summary"];
-  fmt::print("{} frames of {} by {}: median {:.2f} ms", report["frames"].size(), options.scene,
-             options.settings.oit.method, summary["ms"]["median"].get<double>());
+  const auto frames = counted(report["frames"].size(), "frame");
+  fmt::print("{} of {} by {}: median {:.2f} ms", frames, options.scene, options.settings.oit.method,
+             summary["ms"]["median"].get<double>());
   if (options.reference) fmt::print(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
   fmt::print("\nreport: {}\n", (std::filesystem::path(options.out) / "report.json").string());
 }
@@ -67,6 +70,7 @@ void replay(ReplayOptions& options) {
   followed.printWarnings();
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
   printWarnings(loaded.scene, path.at(0.0), aspectOf(size));
+  const nlohmann::ordered_json provenance = provenanceOfFrames(options);
 
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";
@@ -88,6 +92,7 @@ void replay(ReplayOptions& options) {
   }
 
   measure::RunRecord run;
+  run.provenance = provenance;
   run.loadMs = loaded.loadMs;
   const auto noteFirstFrame = [&] {
     if (run.firstFrameMs == 0.0) run.firstFrameMs = millisecondsSince(begin);

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "common.h"
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/scene/glb_writer.h"
 #include "engine/scene/light_choice.h"
 #include "engine/scene/load.h"
@@ -28,7 +29,7 @@ struct Options {
 void make(const Options& options) {
   const scene::Scene made = scene::loadScene(options.name, options.settings.seed);
   scene::writeGlb(made, options.out);
-  fmt::print("{}: {} triangles written\n", options.out, scene::describe(made).triangles);
+  fmt::print("{}: {} written\n", options.out, counted(scene::describe(made).triangles, "triangle"));
 }
 
 void list() {

@@ -2,21 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace macula::tools {
+#include "engine/core/shell.h"
 
-std::string shellQuoted(std::string_view word) {
-  constexpr std::string_view kSafe =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,+@%";
-  if (!word.empty() && word.find_first_not_of(kSafe) == std::string_view::npos) {
-    return std::string(word);
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    // A quote cannot stand between quotes: end them, write it, begin anew.
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
-}
+namespace macula::tools {
 
 std::string asArgument(const std::string& file) {
   return shellQuoted(file.starts_with('-') ? "./" + file : file);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
 #include "engine/ui/widgets.h"
 #include "walk/file_names.h"

@@ -41,7 +41,7 @@ recording::Session sessionOf(const RecordStart& start, const settings::Registry&
   }
   const settings::Entry* environment = registry.find("scene.environment");
   if (environment != nullptr && !environment->isDefault()) {
-    session.environmentSha256 = recording::fileSha256(std::get<std::string>(environment->get()));
+    session.environmentSha256 = fileSha256(std::get<std::string>(environment->get()));
   }
   return session;
 }

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
 #include "engine/ui/widgets.h"
 #include "walk/command_text.h"
@@ -37,13 +38,6 @@ constexpr int kFocusFrames = 3;
 
 /// What a name or a dropped file may be.
 constexpr std::string_view kOpened = "open a scene (.glb, .gltf), a gaze log or a camera path";
-
-bool isProcedural(const std::string& name) {
-  const std::vector<scene::RecipeInfo> recipes = scene::recipes();
-  return name.starts_with("layers-") || name.starts_with("medley-") ||
-         std::any_of(recipes.begin(), recipes.end(),
-                     [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
-}
 
 }  // namespace
 
@@ -80,6 +74,7 @@ void WalkSession::noteChange() {
   std::optional<ui::SettingChange> change = panels_.settings().takeChange();
   if (!change) return;
   events_.changed.push_back(change->entry);
+  if (change->rival != nullptr) say(change->rivalNote());
   if (change->entry->group() == "control") return;  // the controller looks for itself
   if (change->entry->group() == "gaze" || change->entry->group() == "display") {
     gaze_.reopen();  // no image depends on it but through the point of interest
@@ -186,11 +181,11 @@ void WalkSession::drop(const std::string& path) {
                            ui::numberOf(panels_.listed(), "scene file"),
                            panels_.listed() > 0 ? "; choose one on the scene tab" : ""));
   }
-  if (isProcedural(path)) return askForScene(path);
+  if (scene::isProcedural(path)) return askForScene(path);
   if (!std::filesystem::exists(path, error)) {
     failInput("{}: no such file; {}", path, kOpened);
   }
-  if (isSceneFile(path)) {
+  if (scene::isSceneFile(path)) {
     panels_.listFolder(std::filesystem::path(path).parent_path());
     return askForScene(path);
   }
