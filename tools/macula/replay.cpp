@@ -149,8 +149,7 @@ void replay(ReplayOptions& options) {
   report["gaze_log"] = followed.toJson();
   report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
   const std::filesystem::path file = output.file("report.json");
-  writeFileAtomically(file, report.dump(2) + "
-");
+  writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options.json, report);
   followed.printEnd(options.fps, options.frames);
   if (options.json != "-") printSummary(options, report);
