@@ -131,9 +131,14 @@ Panorama blurred(const std::vector<Panorama>& averages, std::size_t level, float
   std::vector<std::size_t> levels;
   const double texel = 4.0 * kPi / static_cast<double>(in.pixels.size());
   for (const LobeSample& sample : lobe) {
-    // Rounded up: too smooth is better than single samples.
-    const double coarser = std::ceil(std::max(0.0, 0.5 * std::log2(sample.solidAngle / texel)));
-    levels.push_back(std::min(averages.size() - 1, level + static_cast<std::size_t>(coarser)));
+    // Rounded up: too smooth is better than single samples. Finer than the result where samples are
+    // many, or else a sun would stand in the middle of a wide texel; not so fine that a lobe could
+    // fall between two texels of the result.
+    constexpr double kFinest = -2.0;
+    const double steps = std::max(kFinest, std::ceil(0.5 * std::log2(sample.solidAngle / texel)));
+    const double index = std::clamp(static_cast<double>(level) + steps, 0.0,
+                                    static_cast<double>(averages.size() - 1));
+    levels.push_back(static_cast<std::size_t>(index));
   }
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {

@@ -130,7 +130,8 @@ TEST(Environment, BlurredLevelsKeepTheLightOfASun) {
 }
 
 TEST(Environment, ARoughReflectionOfASunIsSmooth) {
-  // Under the roughest lobe, GGX with a = 1, a mirror shows the clamped cosine over pi.
+  // Under the roughest lobe, GGX with a = 1, a mirror shows the clamped cosine over pi; in texels
+  // of 22 degrees within 12 % of its peak.
   const Panorama p = sun(512, 256, 256, 100, 6e4F);
   const glm::vec3 towards = directionOf(256.5F / 512.0F, 100.5F / 256.0F);
   const Panorama rough = makeEnvironment(p).levels.back();
@@ -140,7 +141,7 @@ TEST(Environment, ARoughReflectionOfASunIsSmooth) {
       const glm::vec3 n = directionOf((static_cast<float>(x) + 0.5F) / 16.0F,
                                       (static_cast<float>(y) + 0.5F) / 8.0F);
       const double wanted = std::max(0.0, static_cast<double>(glm::dot(n, towards)));
-      EXPECT_NEAR(static_cast<double>(rough.at(x, y).g) / scale, wanted, 0.1) << x << "," << y;
+      EXPECT_NEAR(static_cast<double>(rough.at(x, y).g) / scale, wanted, 0.12) << x << "," << y;
     }
   }
 }
