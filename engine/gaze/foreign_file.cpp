@@ -41,9 +41,18 @@ constexpr std::array<Kind, 6> kTables{{
     {"clx", "GazeBaseVR, which is not read; write its samples as time_s,x,y,valid (macula-csv)"},
 }};
 
-/// Tabs and ends of lines are the only control characters of a table.
-bool isBinary(char c) {
-  return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ');
+/// Tabs and ends of lines are the only control characters of a table. In its comments others are
+/// harmless, but for zeros, which no text has.
+bool isBinary(std::string_view start) {
+  bool atBegin = true;
+  bool comment = false;
+  for (const char c : start) {
+    if (atBegin) comment = c == '#';
+    atBegin = c == '\n';
+    const bool control = (c > '\0' && c < '\t') || (c > '\r' && c < ' ');
+    if (c == '\0' || (control && !comment)) return true;
+  }
+  return false;
 }
 
 /// Every other byte of the first ones, so that it is UTF-16 rather than binary data.
@@ -64,7 +73,7 @@ std::optional<std::string> foreignBytes(std::string_view start) {
     return "JSON, not a gaze log; the description of a BIDS recording goes with its .tsv, as "
            "--gaze.sidecar, and a .gltf in place of SCENE";
   }
-  if (!isUtf16(start) && std::any_of(start.begin(), start.end(), isBinary)) {
+  if (!isUtf16(start) && isBinary(start)) {
     return "binary data, not a gaze log; export the gaze as CSV or TSV";
   }
   return std::nullopt;

@@ -94,11 +94,12 @@ def check_scene_camera(folder):
     accepted = json.loads(subprocess.run(info + ["--gaze.sceneCameraAsDisplay", "on"], check=True,
                                          capture_output=True).stdout)
     assert accepted["fixations"]["count"] is not None and accepted["warnings"], accepted
-    study = [MACULA, "gaze", "study", log, "--out", out]
+    studied = os.path.join(folder, "core_study")
+    study = [MACULA, "gaze", "study", log, "--out", studied]
     bad = subprocess.run(study, capture_output=True, text=True)
     assert bad.returncode == 2 and "--gaze.sceneCameraAsDisplay on" in bad.stderr, bad
     subprocess.run(study + ["--gaze.sceneCameraAsDisplay", "on"], check=True, capture_output=True)
-    with open(os.path.join(out, "report.html")) as f:
+    with open(os.path.join(studied, "report.html")) as f:
         assert "in the picture of a scene camera" in f.read()
 
 
