@@ -96,9 +96,9 @@ frame::FrameList makeFrameList(const RenderSettings& settings, const OitPlan& pl
   passes.push_back(std::make_unique<TonemapPass>(settings.tonemap));
   passes.push_back(
       std::make_unique<HeatmapPass>(settings.heatmap, plan, lod, settings.tonemap.ssaa));
-  return {
-      std::move(passes),
-      {Resource::DisplayColor, Resource::LinearColor, Resource::OitTotals, Resource::LodTotals}};
+  return {std::move(passes),
+          {Resource::DisplayColor, Resource::HeatmapColor, Resource::LinearColor,
+           Resource::OitTotals, Resource::LodTotals}};
 }
 
 frame::FrameInputs inputsOf(const scene::SceneFacts& facts) {

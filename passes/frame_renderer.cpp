@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/view.h"
 #include "passes/frame_list.h"
@@ -83,9 +84,11 @@ void FrameRenderer::resize(glm::ivec2 outputSize) {
   const int side = std::max(outputSize.x, outputSize.y) * settings_.tonemap.ssaa;
   if (side > machine_.capabilities.maxTextureSize) {
     failInput(
-        "{}x{} with {} samples per axis is more than this GPU's {} texels a side; lower "
+        "{}x{} with {} per axis is more than this GPU's {} texels a side; lower "
         "--size or --ssaa",
-        outputSize.x, outputSize.y, settings_.tonemap.ssaa, machine_.capabilities.maxTextureSize);
+        outputSize.x, outputSize.y,
+        counted(static_cast<std::uint64_t>(settings_.tonemap.ssaa), "sample"),
+        machine_.capabilities.maxTextureSize);
   }
   inputs_.outputSize = outputSize;
   settingsChanged();
@@ -161,6 +164,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   if (!prepared_) prepare();
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);
+  inputs_.gpu->chooseLights(camera, size.x / size.y);
   inputs_.gaze = gaze;
   cut_ = cut;
   const bool jumped =
@@ -173,6 +177,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
   planFrame(lod_, settings_.lod, settings_.foveation, inputs_, settings_.tonemap.ssaa);
   lod_.load = shadingLoad_;
   planTransparency();
+  heatmapRange_ = heatmapRange(settings_.heatmap, plan_);
   shader::OitTotals totals = runOnce();
   extraMs_ = 0.0;
   int recaptures = 0;
@@ -271,6 +276,20 @@ void FrameRenderer::countFragments(const shader::OitTotals& totals, FrameResult&
 
 void FrameRenderer::readDisplay(std::vector<std::uint8_t>& rgb) const {
   readRgb(resources_.texture(Resource::DisplayColor), GL_UNSIGNED_BYTE, rgb);
+}
+
+const gl::Texture& FrameRenderer::shownTexture() const {
+  const bool mapped = resources_.has(Resource::HeatmapColor);
+  return resources_.texture(mapped ? Resource::HeatmapColor : Resource::DisplayColor);
+}
+
+void FrameRenderer::readShown(std::vector<std::uint8_t>& rgb) const {
+  readRgb(shownTexture(), GL_UNSIGNED_BYTE, rgb);
+}
+
+std::optional<image::Legend> FrameRenderer::legend() const {
+  if (!resources_.has(Resource::HeatmapColor)) return std::nullopt;
+  return legendOf(settings_.heatmap, heatmapRange_);
 }
 
 void FrameRenderer::readLinear(std::vector<float>& rgb) const {

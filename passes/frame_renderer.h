@@ -27,7 +27,7 @@ namespace macula::passes {
 /// Fragments of one frame, at the rate at which transparency is drawn. generated = stored + merged
 /// + lost.
 struct FragmentCounts {
-  std::uint64_t generated = 0;  ///< pass opaque depth
+  std::uint64_t generated = 0;  ///< pass opaque depth, and alpha exceeds LEAST_ALPHA
   std::uint64_t stored = 0;
   std::uint64_t merged = 0;  ///< in a tail
   std::uint64_t lost = 0;
@@ -110,8 +110,14 @@ class FrameRenderer {
     return render(camera, gaze::exactPoint(gaze), cut);
   }
 
-  /// RGB8 of the last frame, rows from the top, 3 bytes a pixel.
+  /// RGB8 of the last frame, rows from the top, 3 bytes a pixel: the image, without a heat map.
+  /// What is measured or compared is this.
   void readDisplay(std::vector<std::uint8_t>& rgb) const;
+  /// The same of what is shown: the heat map where there is one, or else the image.
+  void readShown(std::vector<std::uint8_t>& rgb) const;
+  [[nodiscard]] const gl::Texture& shownTexture() const;
+  /// What the colours of the last frame's heat map mean; none where it has none.
+  [[nodiscard]] std::optional<image::Legend> legend() const;
   /// Linear RGB of the last frame after the tone curve, rows from the top; needs
   /// settings.tonemap.linearOut.
   void readLinear(std::vector<float>& rgb) const;
@@ -167,6 +173,7 @@ class FrameRenderer {
   std::optional<scene::Camera> lastCamera_;
   std::uint32_t deepestSeen_ = 0;
   double extraMs_ = 0.0;
+  double heatmapRange_ = 1.0;  ///< of the last frame; what it counted is for the next
   int shadingLoad_ = 1;
   glm::mat4 lastViewProjection_{1.0F};
   glm::ivec2 lastTransparencySize_{0};

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "passes/frame_renderer.h"
 #include "passes/oit/oit_pass.h"
 #include "shared/lod_totals.h"
@@ -45,9 +46,10 @@ void FrameRenderer::planRoutedSamples() {
   }
   if (best == 0) {
     failInput(
-        "kb-stencil keeps a fragment in each sample, and {} has {} samples a pixel at the least; "
+        "kb-stencil keeps a fragment in each sample, and {} has {} a pixel at the least; "
         "the budget gives {}; raise --k-ave or --oit-memory, or use kb-fixed",
-        machine_.capabilities.renderer, least, plan_.layers);
+        machine_.capabilities.renderer, counted(static_cast<std::uint64_t>(least), "sample"),
+        plan_.layers);
   }
   plan_.layers = static_cast<std::uint32_t>(best);
   resources_.setMultisamples(best);
@@ -73,17 +75,17 @@ void FrameRenderer::planMethod(std::uint64_t samples) {
         kFragmentBytes + (plan_.method->insertion == Insertion::Linked ? kLinkBytes : 0);
     plan_.budgetBytes = static_cast<std::uint64_t>(settings_.oit.memoryMiB * kMebi);
     if (*plan_.budgetBytes < each) {
-      failInput("--oit-memory of {} bytes holds no fragment ({} bytes each); raise it, or 0",
-                *plan_.budgetBytes, each);
+      failInput("--oit-memory of {} holds no fragment ({} bytes each); raise it, or 0",
+                counted(*plan_.budgetBytes, "byte"), each);
     }
     sizePool(static_cast<std::uint32_t>(*plan_.budgetBytes / each));
   } else if (plan_.method->allocation == Allocation::Constant) {
     const std::uint64_t slots = plan_.layers * samples;
     if (slots > std::numeric_limits<std::uint32_t>::max()) {
       failInput(
-          "{} slots for each of {} samples are more than can be addressed; lower "
+          "{} for each of {} are more than can be addressed; lower "
           "--oit.layers or --size",
-          plan_.layers, samples);
+          counted(plan_.layers, "slot"), counted(samples, "sample"));
     }
     sizePool(static_cast<std::uint32_t>(slots));
   } else if (before != plan_.method || plan_.slots < samples * kFirstSlotsPerSample) {

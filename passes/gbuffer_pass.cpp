@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/plural.h"
 #include "engine/gl/render_state.h"
 
 namespace macula::passes {
@@ -22,8 +23,7 @@ bool GBufferPass::hasWork(const frame::FrameInputs& in) const {
 }
 
 std::string GBufferPass::reason(const frame::FrameInputs& in) const {
-  return hasWork(in) ? fmt::format("{} opaque triangles", in.facts.opaqueTriangles)
-                     : "nothing opaque";
+  return hasWork(in) ? counted(in.facts.opaqueTriangles, "opaque triangle") : "nothing opaque";
 }
 
 void GBufferPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {

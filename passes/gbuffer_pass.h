@@ -8,7 +8,7 @@
 namespace macula::passes {
 
 /// 20 bytes a sample: depth 4, octahedral normal 4, base colour and metallic 4, roughness,
-/// occlusion and flags 4, emissive 4.
+/// occlusion, kind and geometric normal 4, emissive 4.
 class GBufferPass final : public frame::Pass {
  public:
   [[nodiscard]] std::string_view name() const override { return "gbuffer"; }

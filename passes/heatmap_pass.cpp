@@ -21,16 +21,18 @@ struct Map {
   std::string_view name;
   Resource source;
   std::string_view channel;  ///< SOURCE_CHANNEL of the shader
+  const char* quantity;      ///< for the legend
 };
 
 constexpr std::array kMaps{
-    Map{"k", Resource::FragmentRange, "g"},
-    Map{"depth-complexity", Resource::FragmentCount, "r"},
-    Map{"importance", Resource::ImportanceFactors, "a"},
-    Map{"periphery", Resource::ImportanceFactors, "r"},
-    Map{"depth-factor", Resource::ImportanceFactors, "g"},
-    Map{"fresnel", Resource::ImportanceFactors, "b"},
-    Map{kRateMap, Resource::ShadingRate, "r"},
+    Map{"k", Resource::FragmentRange, "g", "k(p): slots of each sample"},
+    Map{"depth-complexity", Resource::FragmentCount, "r", "transparent fragments of each sample"},
+    Map{"importance", Resource::ImportanceFactors, "a", "importance, Eq. 6"},
+    Map{"periphery", Resource::ImportanceFactors, "r", "periphery factor, Eq. 4"},
+    Map{"depth-factor", Resource::ImportanceFactors, "g", "depth complexity factor, Eq. 3"},
+    Map{"fresnel", Resource::ImportanceFactors, "b", "Fresnel factor, Eq. 5"},
+    Map{kRateMap, Resource::ShadingRate, "r",
+        "log2 of the texels a side that share a sample of the shading"},
 };
 
 const Map* find(const std::string& name) {
@@ -69,11 +71,21 @@ double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) 
   return std::max(kLeast, static_cast<double>(plan.layerLimit));
 }
 
+image::Legend legendOf(const HeatmapPass::Settings& settings, double range) {
+  const Map& map = *find(settings.map);
+  const bool counts =
+      map.source == Resource::FragmentRange || map.source == Resource::FragmentCount;
+  image::Legend legend{map.quantity, range, counts};
+  if (map.name == kRateMap) legend.grey.clear();
+  return legend;
+}
+
 void HeatmapPass::declare(frame::PassDeclaration& d) const {
   const Map* map = find(settings_.map);
   if (map == nullptr || !isMade(*map, plan_, lod_)) return;
   d.reads(map->source, Use::Texture);
-  d.modifies(Resource::DisplayColor, Use::Image);
+  d.reads(Resource::DisplayColor, Use::Image);
+  d.writes(Resource::HeatmapColor, Use::Image);
 }
 
 bool HeatmapPass::hasWork(const frame::FrameInputs& in) const {
@@ -114,7 +126,8 @@ void HeatmapPass::execute(frame::PassContext& context) {
     glUniform1f(3, static_cast<float>(static_cast<double>(samplesPerAxis_) / lod_.resize));
   }
   context.bindTexture(TEX_INPUT0, source);
-  context.bindImage(IMG_0, Resource::DisplayColor, GL_READ_WRITE);
+  context.bindImage(IMG_0, Resource::DisplayColor, GL_READ_ONLY);
+  context.bindImage(IMG_1, Resource::HeatmapColor, GL_WRITE_ONLY);
   context.dispatch(context.inputs().outputSize, kGroup);
 }
 

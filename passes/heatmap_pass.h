@@ -6,6 +6,7 @@
 
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
+#include "engine/image/legend.h"
 #include "passes/lod/plan.h"
 #include "passes/oit/plan.h"
 
@@ -40,7 +41,10 @@ class HeatmapPass final : public frame::Pass {
 [[nodiscard]] std::vector<std::string> heatmapNames();
 /// Whether a map shows a factor of the importance, which is then kept for it.
 [[nodiscard]] bool needsFactors(const std::string& map);
-/// Value of the hottest colour: counts and k by the setting, factors 1, log2 of pitches of shading 3.
+/// Value of the hottest colour: counts and k by the setting, factors 1, log2 of pitches of
+/// shading 3.
 [[nodiscard]] double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan);
+/// What the colours of a map mean, with its present range. @param settings with a map
+[[nodiscard]] image::Legend legendOf(const HeatmapPass::Settings& settings, double range);
 
 }  // namespace macula::passes

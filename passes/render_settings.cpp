@@ -22,8 +22,9 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
   registry.add({.key = "oit.memoryMiB",
                 .alias = "oit-memory",
                 .unit = "MiB",
-                .help = "budget of the fragment storage; 0: by --k-ave, else it wins"},
+                .help = "budget of the fragment storage, in place of --k-ave; 0: by that"},
                s.memoryMiB, {.min = 0.0, .max = 8192.0});
+  registry.addRivals("oit.kAve", "oit.memoryMiB");
   registry.addChoice({.key = "oit.sync", .help = "how fragments of one pixel take turns"}, s.sync,
                      {"auto", "interlock", "spinlock", "ordered", "none"});
   registry.add(
@@ -55,13 +56,15 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
 }
 
 void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
-  registry.add({.key = "importance.rangeBias", .help = "alpha of Vasilakis 2017, Eq. 3"},
-               s.rangeBias, {.min = 0.0, .max = 1.0});
+  registry.add(
+      {.key = "importance.rangeBias", .help = "alpha of Vasilakis 2017, Eq. 3", .share = true},
+      s.rangeBias, {.min = 0.0, .max = 1.0});
   registry.add({.key = "importance.periphery",
                 .help = "d of Vasilakis 2017, Eq. 4: how fast importance falls off the gaze"},
                s.periphery, {.min = 0.0, .minExclusive = true, .max = 64.0});
-  registry.add({.key = "importance.noise", .help = "lambda of Vasilakis 2017, Eq. 6"}, s.noise,
-               {.min = 0.0, .max = 1.0});
+  registry.add(
+      {.key = "importance.noise", .help = "lambda of Vasilakis 2017, Eq. 6", .share = true},
+      s.noise, {.min = 0.0, .max = 1.0});
   registry.add({.key = "importance.layerLimit",
                 .unit = "layers",
                 .help = "N_limit of Vasilakis 2017, Eq. 3; 0: the largest count seen so far"},
@@ -78,7 +81,8 @@ void registerImportance(settings::Registry& registry, ImportanceSettings& s) {
                             .help = "for which a network is evaluated once"},
                            s.networkTile, {1, 2, 4});
   registry.add({.key = "importance.gazeWeight",
-                .help = "how far predicted errors count less away from the gaze"},
+                .help = "how far predicted errors count less away from the gaze",
+                .share = true},
                s.gazeWeight, {.min = 0.0, .max = 1.0});
   registry.add({.key = "importance.noisePerFrame", .help = "a new random number each frame"},
                s.noisePerFrame);
@@ -126,7 +130,8 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
        .help = "transparent surfaces as the scene says, unlit, or lit by four lights"},
       s.lighting, {"own", "unlit", "four"});
   registry.add({.key = "scene.opacity",
-                .help = "below 1 every surface is transparent, its alpha multiplied by this"},
+                .help = "below 1 every surface is transparent, its alpha multiplied by this",
+                .share = true},
                s.opacity, {.min = 0.0, .minExclusive = true, .max = 1.0});
   registry.addChoice({.key = "scene.order",
                       .help = "in which transparent triangles are drawn, from the first camera"},

@@ -21,7 +21,7 @@ gl::Defines lightingDefines(const scene::SceneFacts& facts) {
 
 std::size_t SceneVariants::indexOf(const scene::DrawRun& run) {
   return (run.lit ? 1U : 0U) | (run.texturedMaterial != scene::kNone ? 2U : 0U) |
-         (run.mask ? 4U : 0U);
+         (run.mask ? 4U : 0U) | (run.holed ? 8U : 0U);
 }
 
 void SceneVariants::prepare(std::span<const scene::DrawRun> runs, std::string_view fragment,
@@ -34,6 +34,12 @@ void SceneVariants::prepare(std::span<const scene::DrawRun> runs, std::string_vi
     gl::ProgramKey key{{"scene.vert", std::string(fragment)}, defines, extensions};
     if (run.lit) key.defines.emplace_back("LIT", "1");
     if (run.texturedMaterial != scene::kNone) key.defines.emplace_back("TEXTURED", "1");
+    if (run.holed) {
+      for (auto& [name, value] : key.defines) {
+        if (name == "POSITION_ONLY") name = "UV_ONLY";
+      }
+      key.defines.emplace_back("HOLED", "1");
+    }
     if (run.mask) key.defines.emplace_back("MASK", "1");
     program = programs.get(key);
   }

@@ -18,11 +18,13 @@ namespace macula::passes {
 /// something lit receives it.
 [[nodiscard]] bool needsShadowMap(const scene::SceneFacts& facts);
 
-/// The programs for the runs of a draw list: one per combination of lit, textured and mask.
+/// The programs for the runs of a draw list: one per combination of lit, textured, mask
+/// and holed.
 class SceneVariants {
  public:
   /// Compiles the variants that the runs need.
-  /// @param fragment shader file · @param defines for all variants
+  /// @param fragment shader file · @param defines for all variants; POSITION_ONLY becomes UV_ONLY
+  /// where fragments are tested
   void prepare(std::span<const scene::DrawRun> runs, std::string_view fragment,
                const gl::Defines& defines, const std::vector<std::string>& extensions,
                gl::ProgramCache& programs);
@@ -35,7 +37,7 @@ class SceneVariants {
 
  private:
   static std::size_t indexOf(const scene::DrawRun& run);
-  std::array<GLuint, 8> programs_{};
+  std::array<GLuint, 16> programs_{};
 };
 
 }  // namespace macula::passes

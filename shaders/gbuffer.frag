@@ -16,6 +16,10 @@ void main() {
 #endif
   outNormalOct = encodeOctahedral(s.normal);
   outBaseColor = vec4(s.baseColor, s.metallic);
-  outSurface = vec4(s.roughness, s.occlusion, s.unlit ? 1.0 : 0.0, float(m.flags.z) / 255.0);
+  SurfaceKind kind = SurfaceKind(s.unlit, m.flags.z, s.geometricNormal, false);
+#ifdef TEXTURED
+  kind.mapped = (m.flags.x & MATERIAL_HAS_NORMAL_TEXTURE) != 0u;
+#endif
+  outSurface = vec4(s.roughness, s.occlusion, packKind(kind));
   outEmissive = s.emissive;
 }

@@ -16,7 +16,8 @@ layout(binding = TEX_INPUT0) uniform usampler2D source;
 #else
 layout(binding = TEX_INPUT0) uniform sampler2D source;
 #endif
-layout(rgba8, binding = IMG_0) uniform image2D displayColor;
+layout(rgba8, binding = IMG_0) readonly uniform image2D displayColor;
+layout(rgba8, binding = IMG_1) writeonly uniform image2D heatmapColor;
 layout(location = 0) uniform float range;
 layout(location = 1) uniform int samplesPerAxis;
 #ifdef SOURCE_INTEGER
@@ -53,5 +54,5 @@ void main() {
   // Every pixel has a rate: without the image's light and dark nothing would be recognised.
   color = viridis(value / range) * (0.45 + 0.55 * sqrt(grey));
 #endif
-  imageStore(displayColor, p, vec4(color, 1.0));
+  imageStore(heatmapColor, p, vec4(color, 1.0));
 }

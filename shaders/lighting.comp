@@ -4,7 +4,7 @@
 // Which pixel a thread shades: its own; AT_GRID: that of a texel of the resized image; AT_TILES: that
 // of a sample of a tile in a list; AT_HOLES: one of a list.
 // SKIP_SHADOW, SKIP_OCCLUSION, SKIP_NOISE: parts of the shading that are not computed here.
-// DEMODULATE: samples hold the light on a surface, without its colour.
+// DEMODULATE: samples hold the light on a surface, without its base colour and what it emits.
 // PARTS_OUT: the others come out instead of radiance. PARTS_IN: these come from a texture.
 #include "shared/dispatch.h"
 #include "shared/lod_totals.h"
@@ -61,7 +61,7 @@ struct Parts {
 Parts computeParts(SurfacePoint s, uint veins) {
   Parts parts = Parts(1.0, 1.0, 0.0);
 #if defined(SHADOWS) && !defined(SKIP_SHADOW)
-  parts.shadow = shadowAt(s.position, s.normal);
+  parts.shadow = shadowAt(s);
 #endif
 #if defined(OCCLUSION) && !defined(SKIP_OCCLUSION)
   parts.occlusion =
@@ -89,11 +89,17 @@ vec3 backgroundAt(vec2 uv) {
 
 void store(ivec2 texel, ivec2 pixel, vec3 value, float depth, vec3 normal) {
 #if defined(AT_GRID) || defined(AT_TILES)
-  imageStore(lodSamples, texel, packSample(value, depth * frame.depth.x + frame.depth.y, normal));
+  imageStore(lodSamples, texel, packSample(value, inverseDistanceOf(depth), normal));
 #else
-  imageStore(target, pixel, vec4(value, 1.0));
+  imageStore(target, pixel, vec4(min(value, vec3(kMaxHalf)), 1.0));
 #endif
 }
+
+#ifdef DEMODULATE
+void store(ivec2 texel, SurfaceLight light, float depth, vec3 normal) {
+  imageStore(lodSamples, texel, packLight(light, inverseDistanceOf(depth), normal));
+}
+#endif
 
 #if defined(AT_TILES)
 /// Samples on the grids of the tiles in the list.
@@ -130,6 +136,8 @@ void shadePixel(ivec2 p, ivec2 texel) {
   if (depth == 0.0) {
 #ifdef PARTS_OUT
     store(texel, p, vec3(1.0, 1.0, 0.0), depth, vec3(0.0));
+#elif defined(DEMODULATE)
+    store(texel, SurfaceLight(vec3(0.0), backgroundAt(uv), 0.0), depth, vec3(0.0));
 #else
     store(texel, p, backgroundAt(uv), depth, vec3(0.0));
 #endif
@@ -139,21 +147,24 @@ void shadePixel(ivec2 p, ivec2 texel) {
   SurfacePoint s;
   s.position = worldAt(uv, depth);
   s.normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
-  s.unlit = surface.z > 0.5;
-  uint veins = uint(surface.w * 255.0 + 0.5);
+  SurfaceKind kind = unpackKind(surface.zw);
+  s.geometricNormal = kind.mapped ? kind.geometricNormal : s.normal;
+  s.unlit = kind.unlit;
 #ifdef PARTS_OUT
   Parts parts = Parts(1.0, 1.0, 0.0);
-  if (!s.unlit) parts = computeParts(s, veins);
+  if (!s.unlit) parts = computeParts(s, kind.veins);
   store(texel, p, vec3(parts.shadow, parts.occlusion, parts.noise), depth, s.normal);
 #else
   vec4 baseColor = texelFetch(baseColorTexture, p, 0);
-  vec3 radiance = texelFetch(emissiveTexture, p, 0).rgb;
-  if (s.unlit) {
-    radiance += baseColor.rgb;
-  }
+#ifdef DEMODULATE
+  // Where no other sample is near, an unlit one gives a pixel its plain colour.
+  SurfaceLight light = SurfaceLight(vec3(1.0), vec3(0.0), kUnlitSample);
+#else
+  vec3 radiance = s.unlit ? baseColor.rgb : texelFetch(emissiveTexture, p, 0).rgb;
+#endif
 #ifdef LIT
-  else {
-    Parts parts = computeParts(s, veins);
+  if (!s.unlit) {
+    Parts parts = computeParts(s, kind.veins);
 #ifdef PARTS_IN
     vec3 given = texelFetch(partsTexture, p, 0).rgb;
 #ifdef SKIP_SHADOW
@@ -168,7 +179,9 @@ void shadePixel(ivec2 p, ivec2 texel) {
 #endif
     s.baseColor = baseColor.rgb;
 #ifdef VEINS
-    if (veins > 0u) s.baseColor = mix(baseColor.rgb, lights.veins[veins - 1u].rgb, parts.noise);
+    if (kind.veins > 0u) {
+      s.baseColor = mix(baseColor.rgb, lights.veins[kind.veins - 1u].rgb, parts.noise);
+    }
 #endif
     s.alpha = 1.0;
     s.metallic = baseColor.a;
@@ -176,13 +189,21 @@ void shadePixel(ivec2 p, ivec2 texel) {
     s.occlusion = surface.y * parts.occlusion;
     s.emissive = vec3(0.0);
     Radiance sum = lightSurface(s, frame.eye.xyz, parts.shadow);
+#ifdef DEMODULATE
+    // Of a colour that veins cover in part, the rest is seen.
+    light.perColor = sum.perColor * (kind.veins > 0u ? 1.0 - parts.noise : 1.0);
+    light.colorless = sum.diffuse + sum.specular - baseColor.rgb * light.perColor;
+    light.metallic = s.metallic;
+#else
     radiance += sum.diffuse + sum.specular;
+#endif
   }
 #endif
 #ifdef DEMODULATE
-  radiance /= surfaceColor(baseColor.rgb);
-#endif
+  store(texel, light, depth, s.normal);
+#else
   store(texel, p, radiance, depth, s.normal);
+#endif
 #endif
 }
 

@@ -3,13 +3,13 @@
 // SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
 // beside the position alone. LIT with VERTEX_LIGHT: the light that reaches the vertex on both of its
 // sides, in place of what light at a fragment needs; for predictions. VERTEX_LIGHT where no texture
-// (TEXTURED) changes them: the colours of both sides as they are lit.
+// (TEXTURED) and no test of alpha (HOLED) wants them apart: the colours of both sides as they are lit.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 #if defined(LIT) && defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
 #endif
-#if defined(VERTEX_LIGHT) && !defined(TEXTURED)
+#if defined(VERTEX_LIGHT) && !defined(TEXTURED) && !defined(HOLED)
 #define VERTEX_LAYER
 #include "lib/predicted_layer.glsl"
 #endif

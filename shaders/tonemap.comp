@@ -3,6 +3,7 @@
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
+#include "lib/half.glsl"
 #include "lib/tonemap.glsl"
 #include "shared/bindings.h"
 
@@ -18,7 +19,10 @@ void main() {
   if (any(greaterThanEqual(p, imageSize(displayColor)))) return;
   vec3 sum = vec3(0.0);
   for (int y = 0; y < SSAA; ++y) {
-    for (int x = 0; x < SSAA; ++x) sum += texelFetch(hdrColor, p * SSAA + ivec2(x, y), 0).rgb;
+    for (int x = 0; x < SSAA; ++x) {
+      // Blending in half floats may have come to infinity, of which a tone curve makes NaN.
+      sum += min(texelFetch(hdrColor, p * SSAA + ivec2(x, y), 0).rgb, vec3(kMaxHalf));
+    }
   }
   vec3 c = tonemap(sum * (exposure / float(SSAA * SSAA)));
 #ifdef LINEAR_OUT

@@ -27,6 +27,8 @@ def targets(results):
     lines = ["## Targets", "", "| what | where | measured | limit | |", "|---|---|---|---|---|"]
     for row in results["targets"]:
         state = row["state"] if row["state"] != "missed" else "**missed**"
+        if row.get("reason"):
+            state += f": {row['reason']}"
         value = number(row["value"]) if row["value"] is not None else row.get("note", "")
         lines.append(f"| {row['name']} | {row['where']} | {value} | {row['limit']} | {state} |")
     return lines

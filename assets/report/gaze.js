@@ -28,8 +28,7 @@ function lines(host, points, statistic) {
 }
 
 const provenance = document.getElementById('provenance');
-for (const [name, value] of [['commit', data.commit], ['frames a second', data.fps],
-  ['display', `${data.settings['display.widthMm']} x ${data.settings['display.heightMm']} mm at ${data.settings['display.distanceMm']} mm`]]) {
+for (const [name, value] of [['commit', data.commit], ['frames a second', data.fps]]) {
   provenance.append(element('div', {}, element('dt', {}, name), element('dd', {}, String(value))));
 }
 
@@ -38,6 +37,8 @@ for (const log of data.logs) {
   const p95 = element('div', {class: 'chart'});
   document.getElementById('logs').append(element('section', {},
     element('h2', {}, `${log.log} (${log.format})`),
+    element('p', {class: 'note'}, `Coordinates: ${log.coordinates}. Degrees on a display of ${log.display_statement}.`),
+    ...log.warnings.map(warning => element('p', {class: 'note'}, `Warning: ${warning}.`)),
     element('div', {class: 'pair'},
       element('figure', {}, element('figcaption', {}, 'Median error'), median),
       element('figure', {}, element('figcaption', {}, '95th percentile'), p95))));

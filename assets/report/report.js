@@ -43,6 +43,7 @@ function fillHeader() {
     Rounds: `${[...new Set(data.studies.map(s => s.frames))].join(', ')} after ${data.warm_up_rounds} of warm-up`,
     Points: `${count('measured')} measured, ${count('oracle')} by oracles, ${count('refused')} refused`,
   };
+  if (data.warnings.length > 0) facts.Gaze = data.warnings.join('; ');
   document.getElementById('provenance').append(...Object.entries(facts).map(([name, value]) =>
     element('div', {}, element('dt', {}, name), element('dd', {}, value))));
   document.querySelector('#experiment pre').textContent = data.experiment;
@@ -57,7 +58,7 @@ function fillTargets() {
   document.getElementById('targets').hidden = false;
   const count = state => data.targets.filter(t => t.state === state).length;
   document.getElementById('target-sum').textContent =
-    `${count('met')} met, ${count('missed')} missed, ${count('unmeasured')} not measured`;
+    `${count('met')} met, ${count('missed')} missed, ${count('n/a')} n/a, ${count('unmeasured')} not measured`;
   document.querySelector('#targets thead').append(element('tr', {},
     ...['Target', 'Where', 'Value', 'Limit', 'Result', 'Made of'].map(name => element('th', {}, name))));
   let before = null;
@@ -66,8 +67,8 @@ function fillTargets() {
     if (before !== target.name) name.append(target.name);
     if (before !== target.name && target.papers) name.append(element('small', {}, `Papers: ${target.papers}`));
     before = target.name;
-    const state = {met: 'met', missed: 'MISSED', unmeasured: 'NOT MEASURED'}[target.state];
-    document.querySelector('#targets tbody').append(element('tr', {class: target.state}, name,
+    const state = {met: 'met', missed: 'MISSED', unmeasured: 'NOT MEASURED', 'n/a': `n/a: ${target.reason}`}[target.state];
+    document.querySelector('#targets tbody').append(element('tr', {class: target.state.replace('/', '')}, name,
       element('td', {}, target.where || '–'),
       element('td', {class: 'number'}, target.value === null ? '' : shown(target.value)),
       element('td', {class: 'number', style: 'white-space:nowrap'}, target.limit),

@@ -39,7 +39,8 @@ void registerSettings(settings::Registry& registry, ControlSettings& s) {
   constexpr double kMost = 0.99;
   registry.add({.key = "control.leastAim",
                 .unit = "of the target",
-                .help = "of macula: what it aims at, at the least, where times spread"},
+                .help = "of macula: what it aims at, at the least, where times spread",
+                .share = true},
                s.leastAim, {.min = kLeast, .max = kMost});
   registry.add({.key = "control.fovea", .help = "the fovea's slope may be raised where r ends"},
                s.fovea);

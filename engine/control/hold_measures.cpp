@@ -1,7 +1,10 @@
 #include "engine/control/hold_measures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -49,7 +52,7 @@ std::optional<std::size_t> settling(std::span<const HeldFrame> part, double goal
 
 /// Where the judged frames of a part should lie, ms.
 double goalOf(const HoldPart& part, double targetMs) {
-  return std::min(part.reachableMs, targetMs);
+  return std::min(part.model.reachableMs, targetMs);
 }
 
 /// Whether a frame is where it should be: around the goal, or at full rate and in time.
@@ -93,25 +96,72 @@ void addSpread(const std::vector<double>& times, double targetMs, HoldMeasures& 
 
 }  // namespace
 
-HoldPart modelOf(std::span<const HeldFrame> frames, double targetMs, double mostResize) {
+std::string textOf(ResizeLimit limit, double mostResize) {
+  switch (limit) {
+    case ResizeLimit::FullRate:
+      return fmt::format("r at its end {:g}", kLeastResize);
+    case ResizeLimit::NoWork:
+      return "nothing is computed at 1/r";
+    case ResizeLimit::End:
+      return fmt::format("r at its end {:g}", mostResize);
+    case ResizeLimit::Floor:
+      return "floor of the cost that does not shrink";
+    case ResizeLimit::Target:
+      break;
+  }
+  return "target within reach";
+}
+
+ResizeModel modelOf(std::span<const HeldFrame> frames, double targetMs, double mostResize) {
+  const bool anyAtRest = std::ranges::any_of(frames, &HeldFrame::othersAtRest);
   std::vector<double> works;
   std::vector<double> rests;
   for (const HeldFrame& frame : frames) {
+    if (anyAtRest && !frame.othersAtRest) continue;
     works.push_back(frame.resizableMs * frame.resize * frame.resize);
     rests.push_back(frame.ms - frame.resizableMs);
   }
-  HoldPart part;
-  part.workMs = median(works).value_or(0.0);
-  part.restMs = median(rests).value_or(0.0);
-  const double forWork = targetMs - part.restMs;
-  if (part.workMs > 0.0) {
-    part.idealResize = forWork > 0.0
-                           ? std::clamp(std::sqrt(part.workMs / forWork), kLeastResize, mostResize)
-                           : mostResize;
+  ResizeModel model;
+  model.workMs = median(works).value_or(0.0);
+  model.restMs = median(rests).value_or(0.0);
+  const double forWork = targetMs - model.restMs;
+  if (model.workMs > 0.0) {
+    const double meets =
+        forWork > 0.0 ? std::sqrt(model.workMs / forWork) : std::numeric_limits<double>::infinity();
+    model.idealResize = std::clamp(meets, kLeastResize, mostResize);
+    model.limit = forWork <= 0.0          ? ResizeLimit::Floor
+                  : meets > mostResize    ? ResizeLimit::End
+                  : meets <= kLeastResize ? ResizeLimit::FullRate
+                                          : ResizeLimit::Target;
   }
-  part.reachableMs = part.workMs / (part.idealResize * part.idealResize) + part.restMs;
-  return part;
+  model.reachableMs = model.workMs / (model.idealResize * model.idealResize) + model.restMs;
+  return model;
 }
+
+std::string verdictOf(const HoldMeasures& measures) {
+  const auto held = [](const HoldPart& part) { return part.met == true; };
+  const auto missed = [](const HoldPart& part) { return part.met == false; };
+  const bool anyHeld = std::ranges::any_of(measures.parts, held);
+  const bool anyMissed = std::ranges::any_of(measures.parts, missed);
+  if (anyHeld) return anyMissed ? "held in part" : "held";
+  return anyMissed ? "not held" : "not judged";
+}
+
+namespace {
+
+/// The model of a load; HoldMeasures::loads gets what is not there yet.
+ResizeModel loadOf(const HoldRun& run, int times, HoldMeasures& m) {
+  const auto known = std::ranges::find(m.loads, times, &HoldLoad::times);
+  if (known != m.loads.end()) return known->model;
+  std::vector<HeldFrame> frames;
+  for (const HeldFrame& frame : run.frames) {
+    if (frame.load == times) frames.push_back(frame);
+  }
+  m.loads.push_back({times, modelOf(frames, run.targetMs, run.mostResize)});
+  return m.loads.back().model;
+}
+
+}  // namespace
 
 HoldMeasures measureHold(const HoldRun& run) {
   if (run.frames.empty()) throw std::invalid_argument("measureHold: no frames");
@@ -123,14 +173,16 @@ HoldMeasures measureHold(const HoldRun& run) {
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     const auto frames = run.frames.subspan(bounds[i], bounds[i + 1] - bounds[i]);
     if (frames.empty()) continue;
-    HoldPart part = modelOf(frames, run.targetMs, run.mostResize);
+    HoldPart part;
     part.begin = bounds[i];
     part.end = bounds[i + 1];
+    part.load = frames.front().load;
+    part.model = loadOf(run, part.load, m);
     m.parts.push_back(part);
     addDeviations(frames, deviations);
   }
   m.fixedSpread = *percentile(deviations, kGateShare);
-  m.tolerance = kGateTolerance + m.fixedSpread;
+  m.tolerance = std::min(kGateTolerance + m.fixedSpread, kMostTolerance);
   std::size_t fixedWithin = 0;
   for (const double deviation : deviations) fixedWithin += deviation <= m.tolerance ? 1 : 0;
   m.fixedWithin = shareOf(fixedWithin, deviations.size());
@@ -146,15 +198,20 @@ HoldMeasures measureHold(const HoldRun& run) {
     part.settleFrames = settling(frames, goal, m.tolerance);
     double pixels = 0.0;
     double ideal = 0.0;
+    std::size_t partWithin = 0;
     for (std::size_t i = kSettling; i < frames.size(); ++i) {
       five += isWithin(frames[i], goal, run.targetMs, kGateTolerance) ? 1 : 0;
-      within += isWithin(frames[i], goal, run.targetMs, m.tolerance) ? 1 : 0;
+      partWithin += isWithin(frames[i], goal, run.targetMs, m.tolerance) ? 1 : 0;
       late += frames[i].ms > kLate * run.targetMs ? 1 : 0;
       veryLate += frames[i].ms > kVeryLate * run.targetMs ? 1 : 0;
       times.push_back(frames[i].ms);
       pixels += 1.0 / (frames[i].resize * frames[i].resize);
-      ideal += 1.0 / (part.idealResize * part.idealResize);
+      ideal += 1.0 / (part.model.idealResize * part.model.idealResize);
+      ++part.judged;
     }
+    within += partWithin;
+    part.within = shareOf(partWithin, part.judged);
+    if (part.judged > 0) part.met = part.within >= kGateShare;
     if (ideal > 0.0) part.usedPixels = pixels / ideal;
   }
   std::size_t over = 0;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "engine/control/clock_probe.h"
 #include "engine/control/law.h"
 #include "engine/control/work_estimate.h"
 
@@ -12,22 +13,24 @@ namespace macula::control {
 /// was drawn with, so that dead time shifts what is known and does not unsettle it. The aim lies
 /// below the target by what the measured spread asks for. It gives way at once, comes back slowly,
 /// and stays where it is inside of a dead band. Nothing is integrated, so nothing winds up at r = 1
-/// or 8.
+/// or 8. Where r has moved and times have not shown that they follow, it is probed (clock_probe.h).
 class MaculaLaw final : public Law {
  public:
   explicit MaculaLaw(const LawOptions& options)
       : targetMs_(options.targetMs),
         step_(options.resizeStep),
         mostResize_(options.mostResize),
-        leastAim_(options.leastAim) {}
+        leastAim_(options.leastAim),
+        probe_(options.mostResize) {}
   [[nodiscard]] double next(const FrameTimes* newest, double resize) override;
   bool scalePixels(double ratio) override;
   [[nodiscard]] Trouble trouble() const override { return trouble_; }
 
  private:
   void learn(const FrameTimes& times);
-  void watchEffect(const FrameTimes& times);
   [[nodiscard]] double wanted() const;
+  /// The next r on the way to the one that is wanted.
+  [[nodiscard]] double moved(double goal, double resize) const;
 
   double targetMs_;
   double step_;
@@ -38,11 +41,8 @@ class MaculaLaw final : public Law {
   WorkEstimate total_;  ///< measured over modelled: its spread gives the headroom
   std::uint64_t lastFrame_ = 0;
   bool sawFrame_ = false;
-  int silent_ = 0;                ///< questions since times came
-  FrameTimes watched_;            ///< the newest frame whose times are known
-  double expectedSquares_ = 0.0;  ///< of changes of the time with r, as modelled, ms^2
-  double seenProducts_ = 0.0;     ///< modelled times seen changes, ms^2
-  int ineffective_ = 0;           ///< changes in a row after which no effect was found
+  int silent_ = 0;  ///< questions since times came
+  ClockProbe probe_;
   Trouble trouble_ = Trouble::None;
 };
 

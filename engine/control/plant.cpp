@@ -43,6 +43,7 @@ class Clock {
     times.cpuMs = case_.cpuMs;
     double total = spentMs;
     if (case_.refreshMs > 0.0) total = std::ceil(total / case_.refreshMs) * case_.refreshMs;
+    if (case_.refreshMs > 0.0 && case_.jitterMs > 0.0) total += case_.jitterMs * dice_.normal();
     times.totalMs = ticked(total);
     if (case_.separate && case_.refreshMs <= 0.0) times.resizableMs = ticked(workMs);
     if (dice_.happens(case_.zeroShare)) {

@@ -62,6 +62,7 @@ struct PlantCase {
   bool separate = true;     ///< resizable and fixed passes are timed apart
   double cpuMs = 2.0;       ///< of every frame
   double refreshMs = 0.0;   ///< times are waited up to multiples of it; 0: no vsync in the clock
+  double jitterMs = 0.0;    ///< standard deviation of times that are waited for
   double resizeStep = 0.0;  ///< r is rounded to multiples of it; 0: as it is
   double hitchMs = 0.0;     ///< added to one frame, in the middle of the steady state
 };

@@ -37,6 +37,7 @@ std::optional<int> settling(const PlantRun& run, const PlantCase& c) {
 bool cycles(const std::string& name, const PlantCase& plantCase, const LawOptions& options) {
   PlantCase calm = plantCase;
   calm.noise = calm.spikeShare = calm.lostShare = calm.zeroShare = calm.staleShare = 0.0;
+  calm.jitterMs = 0.0;
   calm.hitchMs = 0.0;
   // Loads that never rest say nothing about rest.
   const Load last = plantCase.load(plantCase.frames - 1);

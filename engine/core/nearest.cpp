@@ -29,10 +29,26 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// Shorter ones begin too many names to mean one of them.
+constexpr std::size_t kLeastPrefix = 3;
+
+bool beginsWith(std::string_view text, std::string_view prefix) {
+  return text.size() >= prefix.size() &&
+         std::equal(prefix.begin(), prefix.end(), text.begin(),
+                    [](char a, char b) { return lower(a) == lower(b); });
+}
+
 }  // namespace
 
 std::string nearestName(std::string_view name, std::span<const std::string> candidates) {
   std::string best;
+  if (name.size() >= kLeastPrefix) {
+    for (const std::string& candidate : candidates) {
+      const bool shorter = best.empty() || candidate.size() < best.size();
+      if (shorter && beginsWith(candidate, name)) best = candidate;
+    }
+    if (!best.empty()) return best;
+  }
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : candidates) {
     const std::size_t distance = editDistance(name, candidate);

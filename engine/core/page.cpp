@@ -66,7 +66,8 @@ std::string reportPageOf(const std::filesystem::path& assets, const std::string&
   texts["licence"] = readTextFile(vendor / "uPlot.LICENSE");
   texts["vendor"] = readTextFile(vendor / "uPlot.iife.min.js");
   texts["data"] = scriptSafe(json);
-  texts["script"] = readTextFile(report / "charts.js") + readTextFile(report / (name + ".js"));
+  texts["script"] = readTextFile(report / "charts.js") + readTextFile(report / (name + ".js")) +
+                    readTextFile(report / "provenance.js");
   return fillPage(readTextFile(report / (name + ".html")), texts);
 }
 

@@ -24,7 +24,7 @@ namespace macula {
 [[nodiscard]] std::string interruptedBanner(std::string_view howFar);
 
 /// A page that needs no network: NAME.html of assets/report with the shared style and charts,
-/// uPlot, NAME.js, and the texts.
+/// uPlot, NAME.js, the texts, and a foot from the data's "provenance" (measure::toJson()).
 /// @param json the page's data @param texts further ones that the template names, ready for HTML;
 ///   "interrupted" is a notice above all else, empty where it is missing
 /// @throws InputError where a file of assets/report is missing

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "engine/core/file.h"
+
 namespace macula {
 
 std::string sha256Hex(std::span<const std::byte> bytes) {
@@ -17,6 +19,11 @@ std::string sha256Hex(std::span<const std::byte> bytes) {
     hex.push_back(kDigits[byte & 15]);
   }
   return hex;
+}
+
+std::string fileSha256(const std::filesystem::path& file) {
+  const std::string bytes = readTextFile(file);
+  return sha256Hex(std::as_bytes(std::span(bytes)));
 }
 
 }  // namespace macula

@@ -1,7 +1,8 @@
-// SHA-256 (FIPS 180-4) of a block of bytes, by OpenSSL.
+// SHA-256 (FIPS 180-4) by OpenSSL.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -9,5 +10,8 @@ namespace macula {
 
 /// 64 lower-case hexadecimal digits.
 [[nodiscard]] std::string sha256Hex(std::span<const std::byte> bytes);
+
+/// Of a file's bytes. @throws InputError as readTextFile()
+[[nodiscard]] std::string fileSha256(const std::filesystem::path& file);
 
 }  // namespace macula

@@ -57,6 +57,7 @@ nlohmann::ordered_json toJson(const Results& results) {
           {"description", experiment.description},
           {"commit", p.commit},
           {"date", p.date},
+          {"provenance", p.made},
           {"machine", {{"processor", p.processor}, {"cores", p.cores}}},
           {"gl", {{"renderer", p.renderer}, {"version", p.version}, {"time_source", p.timeSource}}},
           {"warm_up_rounds", kWarmUpRounds},
@@ -66,6 +67,7 @@ nlohmann::ordered_json toJson(const Results& results) {
           {"variants", variants},
           {"interrupted", !results.interrupted.empty()},
           {"skipped", skipped},
+          {"warnings", results.warnings},
           {"targets", toJson(std::span<const TargetRow>(results.targets))},
           {"points", results.points},
           {"experiment", experiment.text}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct Provenance {
   std::string renderer;  ///< GL_RENDERER
   std::string version;   ///< GL_VERSION
   std::string timeSource;
-  std::string date;  ///< UTC, "2026-11-22"
+  std::string date;                  ///< UTC, "2026-11-22"
+  nlohmann::ordered_json made = {};  ///< command line and inputs: of measure::Provenance
 };
 
 /// A scene that was not measured, or a variant on it, and why.
@@ -34,6 +36,7 @@ struct Results {
   std::vector<TargetRow> targets;
   std::vector<Skipped> skipped;
   std::string interrupted = {};  ///< how far it came; empty: all points were seen to
+  std::vector<std::string> warnings = {};  ///< of the gaze logs that studies name
 };
 
 /// results.json; README.md of this folder has its keys.

@@ -4,6 +4,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/settings/value.h"
 
 namespace macula::experiment {
 namespace {
@@ -64,15 +65,21 @@ void TableReader::choice(const char* key, std::size_t& value,
   if (node == nullptr) return;
   const auto text = node->value_exact<std::string>();
   const auto found = text ? std::find(names.begin(), names.end(), *text) : names.end();
-  if (found == names.end()) failType(key, "one of " + joined(names));
+  if (found == names.end()) {
+    const std::string nearest =
+        text ? fmt::format(" (nearest: '{}')", nearestName(oneLine(*text), names)) : "";
+    failType(key, "one of " + joined(names) + nearest);
+  }
   value = static_cast<std::size_t>(found - names.begin());
 }
 
 void TableReader::flag(const char* key, bool& value) {
   const toml::node* node = find(key);
   if (node == nullptr) return;
-  const auto flag = node->value_exact<bool>();
-  if (!flag) failType(key, "true or false");
+  std::optional<bool> flag = node->value_exact<bool>();
+  if (const auto text = node->value_exact<std::string>()) flag = settings::toBool(*text);
+  if (const auto number = node->value_exact<std::int64_t>()) flag = settings::toBool(*number);
+  if (!flag) failType(key, settings::kBoolForm);
   value = *flag;
 }
 
@@ -91,7 +98,12 @@ void TableReader::number(const char* key, double& value, double least, double mo
   if (node == nullptr) return;
   const auto number = node->is_number() ? node->value<double>() : std::nullopt;
   if (!number || !(*number >= least && *number <= most)) {
-    failType(key, fmt::format("a number from {:g} to {:g}", least, most));
+    std::string hint;
+    if (most == 1.0) {  // a share, which may have been meant in percent
+      const std::string text = number ? fmt::format("{}", *number) : node->value_or(std::string());
+      hint = settings::shareHint(text, {.min = least, .max = most});
+    }
+    failType(key, fmt::format("a number from {:g} to {:g}{}", least, most, hint));
   }
   value = *number;
 }

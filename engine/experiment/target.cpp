@@ -13,6 +13,8 @@ namespace {
 
 using State = TargetRow::State;
 
+constexpr const char* kAllFits = "everything fits";
+
 bool listed(const std::vector<std::string>& list, const std::string& name) {
   return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
 }
@@ -72,14 +74,15 @@ class Judge {
                      "",
                      {},
                      State::Unmeasured,
-                     "no point of " + lead + " on these scenes and budgets"});
+                     "no point of " + lead + " on these scenes and budgets",
+                     {}});
     }
     return all;
   }
 
  private:
   TargetRow rowOf(const Point& point) const {
-    TargetRow row{&target_, textOf(point, "study"), placeOf(point), {}, State::Unmeasured, {}};
+    TargetRow row{&target_, textOf(point, "study"), placeOf(point), {}, State::Unmeasured, {}, {}};
     if (target_.kind == Target::Kind::Curve) {
       judgeCurve(experiment_, points_, point, row);
       return row;
@@ -145,6 +148,11 @@ class Judge {
     row.state = target_.admits(value) ? State::Met : State::Missed;
   }
 
+  static void exempt(std::string reason, TargetRow& row) {
+    row.state = State::NotApplicable;
+    row.reason = std::move(reason);
+  }
+
   void judgeRatio(const Point& point, double value, TargetRow& row) const {
     std::optional<double> least;
     std::string of;
@@ -173,6 +181,8 @@ class Judge {
                            sweptText(point, " "), *least, of, gaps);
     if (*least > 0.0) {
       settle(value / *least, row);
+    } else if (*least == 0.0 && value == 0.0) {
+      exempt("both are 0", row);
     } else {
       row.note += ": nothing to divide by";
     }
@@ -185,15 +195,15 @@ class Judge {
     const auto merged = metricOf(point, "fragments.merged").value_or(0.0);
     const auto lost = metricOf(point, "fragments.lost");
     const bool all = budget && generated && lost && *lost + merged == 0.0;
-    if (target_.unlessAllStored && all && row.state == State::Missed) {
-      row.state = State::Met;
-      row.note = "every fragment is stored";
-    }
+    if (target_.unlessAllStored && all) exempt(kAllFits, row);
   }
 
   void judgeOrder(const Point& point, TargetRow& row) const {
     bool falling = true;
+    std::string least;  // the first that is at 0, where the next one is, too
+    std::size_t zeros = 0;
     std::optional<double> before;
+    const std::string* last = nullptr;
     for (const std::string& id : target_.against) {
       const Point* other = id == textOf(point, "variant") ? &point : partner(point, id);
       const auto value = other == nullptr ? std::nullopt : metricOf(*other, target_.metric);
@@ -202,14 +212,23 @@ class Judge {
             other == nullptr ? id + " has no point here" : missing(*other, id, target_.metric);
         return;
       }
-      // Where nothing is left to lower, equal is as good.
-      const bool least = *value == 0.0 && before == 0.0;
-      falling = falling && (!before || *value < *before || least);
+      // Where nothing is left to lower, nothing can be compared.
+      const bool atLeast = *value == 0.0 && before == 0.0;
+      if (atLeast && least.empty()) least = *last;
+      zeros += *value == 0.0 ? 1 : 0;
+      falling = falling && (!before || *value < *before || atLeast);
+      last = &id;
       row.note += fmt::format("{}{:.4g} ({})", before ? ", " : "", *value, id);
       before = value;
     }
     if (!falling) row.note = "not falling: " + row.note;
     row.state = falling ? State::Met : State::Missed;
+    if (!falling || least.empty()) return;
+    const bool losses = target_.metric.starts_with("fragments.lo");
+    const bool allZero = zeros == target_.against.size();
+    exempt(allZero ? std::string(losses ? kAllFits : "all are 0")
+                   : fmt::format("{} is at 0 already", least),
+           row);
   }
 
   const Experiment& experiment_;
@@ -225,6 +244,8 @@ std::string_view nameOf(TargetRow::State state) {
       return "met";
     case State::Missed:
       return "missed";
+    case State::NotApplicable:
+      return "n/a";
     case State::Unmeasured:
       break;
   }
@@ -256,6 +277,15 @@ std::vector<TargetRow> judge(const Experiment& experiment, std::span<const Point
   return rows;
 }
 
+std::string summaryOf(std::span<const TargetRow> rows) {
+  std::string text;
+  for (const State state : {State::Met, State::Missed, State::NotApplicable, State::Unmeasured}) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                        std::ranges::count(rows, state, &TargetRow::state), nameOf(state));
+  }
+  return text;
+}
+
 nlohmann::ordered_json toJson(std::span<const TargetRow> rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TargetRow& row : rows) {
@@ -267,6 +297,7 @@ nlohmann::ordered_json toJson(std::span<const TargetRow> rows) {
                    {"value", row.value ? nlohmann::ordered_json(*row.value) : nullptr},
                    {"limit", row.target->limitText()},
                    {"state", nameOf(row.state)},
+                   {"reason", row.reason.empty() ? nullptr : nlohmann::ordered_json(row.reason)},
                    {"note", row.note}});
   }
   return all;

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "engine/core/plural.h"
 #include "engine/experiment/curve.h"
 #include "engine/experiment/speedup.h"
 
@@ -48,9 +49,10 @@ class CurveJudge {
       const bool least = target_.statistic == Target::Statistic::Least;
       row_.value = least ? gap->least : gap->mean;
       row_.state = target_.admits(*row_.value) ? TargetRow::State::Met : TargetRow::State::Missed;
-      row_.note = fmt::format(
-          "{} over {} at {} speed-ups from {:.3g} to {:.3g}: least {:.3g} at {:.3g}, mean {:.3g}",
-          target_.of, other, gap->places, gap->from, gap->to, gap->least, gap->leastAt, gap->mean);
+      row_.note =
+          fmt::format("{} over {} at {} from {:.3g} to {:.3g}: least {:.3g} at {:.3g}, mean {:.3g}",
+                      target_.of, other, counted(gap->places, "speed-up"), gap->from, gap->to,
+                      gap->least, gap->leastAt, gap->mean);
     } else {
       row_.note =
           "no speed-up that both have: " + rangeOf(target_.of, own) + ", " + rangeOf(other, others);

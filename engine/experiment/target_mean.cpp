@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/core/plural.h"
+
 namespace macula::experiment {
 namespace {
 
@@ -44,13 +46,14 @@ std::string shortName(const std::string& scene) {
 std::string placeOf(const ScenePart& part, std::size_t scenes) {
   const std::string scene = shortName(textOf(*part.point, "scene"));
   const std::string rest = part.row.where.substr(std::min(scene.size() + 1, part.row.where.size()));
-  return fmt::format("mean of {} scene{}, {}", scenes, scenes == 1 ? "" : "s", rest);
+  return fmt::format("mean of {}, {}", counted(scenes, "scene"), rest);
 }
 
 TargetRow meanOf(const Target& target, const std::vector<std::string>& scenes,
                  const std::vector<const ScenePart*>& parts) {
   TargetRow row{&target, parts.front()->row.study,     placeOf(*parts.front(), scenes.size()),
-                {},      TargetRow::State::Unmeasured, {}};
+                {},      TargetRow::State::Unmeasured, {},
+                {}};
   double sum = 0.0;
   std::string values;
   for (const std::string& scene : scenes) {
@@ -60,6 +63,10 @@ TargetRow meanOf(const Target& target, const std::vector<std::string>& scenes,
     if (part == parts.end() || !(*part)->row.value) {
       row.note = shortName(scene) + ": " +
                  (part == parts.end() ? "no point of " + target.of : (*part)->row.note);
+      if (part != parts.end() && (*part)->row.state == TargetRow::State::NotApplicable) {
+        row.state = TargetRow::State::NotApplicable;
+        row.reason = shortName(scene) + ": " + (*part)->row.reason;
+      }
       return row;
     }
     sum += *(*part)->row.value;

@@ -65,6 +65,7 @@ constexpr std::array<ResourceInfo, kResourceCount> kResources{{
     {R::OitTotals, "transparency totals", 0, Bytes, B::Overhead, C::Zero},
     {R::LinearColor, "linear colour", GL_RGBA32F, Output, B::Other, C::Never},
     {R::DisplayColor, "display colour", GL_RGBA8, Output, B::Other, C::Never},
+    {R::HeatmapColor, "heat map", GL_RGBA8, Output, B::Other, C::Never},
 }};
 
 constexpr bool inOrder() {

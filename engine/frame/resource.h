@@ -15,7 +15,7 @@ enum class Resource : std::uint8_t {
   Depth,              ///< opaque depth, reversed: 1 at the near plane, 0 at the far plane
   Normal,             ///< octahedral world normal of the opaque surface
   BaseColor,          ///< base colour (sRGB-encoded) and metallic
-  Surface,            ///< roughness, occlusion, unlit, number of the veins
+  Surface,            ///< roughness, occlusion, kind, geometric normal (lib/surface.glsl)
   Emissive,           ///< linear emitted radiance
   ShadingRate,        ///< levels of a tile of the resized image and its eight neighbours,
                       ///< two bits each: samples are 2^level texels apart
@@ -63,7 +63,8 @@ enum class Resource : std::uint8_t {
   NetworkOutput,      ///< what it says of each tile: see shaders/lib/network_output.glsl
   OitTotals,          ///< sums over the image: see shaders/shared/oit_totals.h
   LinearColor,        ///< tone-mapped image before encoding, linear
-  DisplayColor,       ///< the image that is shown: RGBA8, encoded
+  DisplayColor,       ///< the image: RGBA8, encoded
+  HeatmapColor,       ///< what is shown in its place: a quantity as colours over it
   Count
 };
 

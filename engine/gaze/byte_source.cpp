@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/gaze/foreign_file.h"
 
 namespace macula::gaze {
 namespace {
@@ -215,6 +216,9 @@ std::unique_ptr<ByteSource> openText(std::istream& in, std::string_view name) {
   if (plain->peek(2) == "\x1F\x8B") {
     auto inflated = std::make_unique<GzipSource>(std::move(plain), name);
     plain = std::make_unique<PlainSource>(std::move(inflated), name);
+  }
+  if (const auto foreign = foreignBytes(plain->peek(kForeignBytes))) {
+    failInput("{}: {}", name, *foreign);
   }
   const std::string_view start = plain->peek(2);
   if (start.size() < 2) return plain;

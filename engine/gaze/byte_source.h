@@ -27,6 +27,7 @@ class ByteSource {
 /// surrogates that have no partner become U+FFFD).
 /// @param in must outlive the result
 /// @param name stands in messages
+/// @throws InputError saying what it is where it is no text
 [[nodiscard]] std::unique_ptr<ByteSource> openText(std::istream& in, std::string_view name);
 
 }  // namespace macula::gaze

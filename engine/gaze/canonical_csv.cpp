@@ -73,8 +73,8 @@ Conversion convertGazeLog(const std::filesystem::path& path, const std::filesyst
   }
   done.head = survey.head();
   if (done.head.format != "macula-csv") {  // so that the file still says what it was
-    done.head.notes.push_back(fmt::format("converted from {}; coordinates were {}",
-                                          done.head.format, describe(done.head.coordinates)));
+    done.head.notes.push_back(fmt::format("{}{}; coordinates were {}", kConverted, done.head.format,
+                                          describe(done.head.coordinates)));
   }
 
   writeFileAtomically(out, [&](const std::filesystem::path& part) {

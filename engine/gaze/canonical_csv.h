@@ -3,10 +3,14 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "engine/gaze/log.h"
 
 namespace macula::gaze {
+
+/// How the comment begins that says of what format and coordinates a converted log was.
+inline constexpr std::string_view kConverted = "converted from ";
 
 /// Which of the optional columns a log needs.
 struct CanonicalColumns {

@@ -1,5 +1,7 @@
 #include "engine/gaze/cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -131,6 +133,10 @@ void splitWords(std::string_view row, std::vector<std::string_view>& words) {
     while (i < row.size() && !isBlank(row[i])) ++i;
     if (i > begin) words.push_back(row.substr(begin, i - begin));
   }
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 std::optional<double> parseNumber(std::string_view cell) {

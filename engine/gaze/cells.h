@@ -26,6 +26,9 @@ void splitQuotedCells(std::string_view row, char separator, std::vector<std::str
 /// Splits at any run of spaces and tabs; makes no empty cells.
 void splitWords(std::string_view row, std::vector<std::string_view>& words);
 
+/// "1 sample", "2 samples".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
+
 /// The finite number that the whole cell spells, with '.' or ',' as decimal mark; otherwise
 /// nothing.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view cell);

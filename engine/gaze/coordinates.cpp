@@ -53,6 +53,10 @@ std::string_view nameOf(GazeUnit unit) {
 
 }  // namespace
 
+bool isOfSceneCamera(const CoordinateStatement& coordinates) {
+  return coordinates.of == kSceneCamera;
+}
+
 std::string describe(const CoordinateStatement& c) {
   std::string text = fmt::format("{} ({}), origin {} ({}), of the {}", c.unit, c.unitBy, c.origin,
                                  c.originBy, c.of);
@@ -80,7 +84,7 @@ std::optional<Rectangle> screenOf(const LogOptions& options) {
 
 CoordinateMapper::CoordinateMapper(const Coordinates& coordinates, const LogOptions& options,
                                    std::string where)
-    : coordinates_(coordinates), display_(options.display) {
+    : coordinates_(coordinates), display_(knownDisplay(options.display, coordinates.display)) {
   if (options.unit != GazeUnit::File) {
     coordinates_.unit = options.unit;
     coordinates_.unitBy = "setting";
@@ -148,7 +152,8 @@ std::optional<glm::dvec2> CoordinateMapper::place(const glm::dvec2& raw) const {
     if (!(std::abs(raw.x) < kWidestDegrees && std::abs(raw.y) < kWidestDegrees)) {
       return std::nullopt;
     }
-    place = placeOfAngles({raw.x, pointsUp(coordinates_.origin) ? -raw.y : raw.y}, display_);
+    place =
+        placeOfAngles({raw.x, pointsUp(coordinates_.origin) ? -raw.y : raw.y}, display_.display);
   } else if (!centred && !pointsUp(coordinates_.origin) && coordinates_.screen &&
              coordinates_.unit == GazeUnit::Pixels) {
     // Divided, not multiplied by the inverse: pixel w of w is 1 and so off the screen.
@@ -175,8 +180,7 @@ void CoordinateMapper::state(CoordinateStatement& statement) const {
   }
   statement.mapping.clear();
   if (coordinates_.unit == GazeUnit::Degrees) {
-    statement.mapping = fmt::format("degrees mapped by display.* {:g}x{:g} mm at {:g} mm",
-                                    display_.widthMm, display_.heightMm, display_.distanceMm);
+    statement.mapping = "degrees mapped by a display of " + describe(display_);
   }
 }
 

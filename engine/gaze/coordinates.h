@@ -20,6 +20,7 @@ struct Coordinates {
   std::string_view of = "screen";
   std::string_view unitBy = "format";
   std::string_view originBy = "format";
+  RecordedDisplay display = {};  ///< that degrees are of
 };
 
 /// Maps places, once unit, origin and size are known: what a setting says holds, otherwise what the
@@ -32,6 +33,8 @@ class CoordinateMapper {
 
   /// Takes the size from the file, unless a setting gave one.
   void setScreen(const Rectangle& screen);
+  /// Of what the pixels are, where only the rows tell. @param of a literal
+  void setOf(std::string_view of) { coordinates_.of = of; }
 
   /// @returns why no place can be mapped yet and the mend: pixels of something of unknown size
   [[nodiscard]] std::optional<std::string> lack() const;
@@ -47,7 +50,7 @@ class CoordinateMapper {
   void update();
 
   Coordinates coordinates_;
-  Display display_;
+  KnownDisplay display_;
   std::string screenBy_ = "file";
   glm::dvec2 scale_{1.0};
   glm::dvec2 offset_{0.0};

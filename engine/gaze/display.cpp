@@ -1,12 +1,34 @@
 #include "engine/gaze/display.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 namespace macula::gaze {
 namespace {
 
 // From a phone to a wall, in millimetres.
 constexpr settings::Range kSizes{.min = 10.0, .max = 100000.0};
+// From a phone before the nose to a wall; trackers write 0, -1 or 1e6 for an eye that is not there.
+constexpr double kNearest = 100.0;
+constexpr double kFarthest = 10000.0;
+
+/// A length that notes that a person has said it.
+struct SaidLength {
+  double& millimetres;
+  bool& given;
+};
+
+/// Found by Registry::add().
+settings::Binding bindField(SaidLength& length) {
+  settings::Binding binding = settings::bindField(length.millimetres);
+  binding.set = [set = std::move(binding.set), &given = length.given](const settings::Value& v) {
+    set(v);
+    given = true;
+  };
+  return binding;
+}
 
 /// From the eye to a place, in millimetres.
 glm::dvec3 lineOfSight(const glm::dvec2& place, const Display& display) {
@@ -16,13 +38,58 @@ glm::dvec3 lineOfSight(const glm::dvec2& place, const Display& display) {
 
 }  // namespace
 
+void RecordedDisplay::setSize(const glm::dvec2& millimetres) {
+  if (kSizes.holds(millimetres.x) && kSizes.holds(millimetres.y)) sizeMm_ = millimetres;
+}
+
+void RecordedDisplay::noteDistance(double millimetres) {
+  if (!(millimetres >= kNearest && millimetres <= kFarthest)) return;
+  distanceSumMm_ += millimetres;
+  ++distances_;
+}
+
+std::optional<double> RecordedDisplay::distanceMm() const {
+  if (distances_ == 0) return std::nullopt;
+  return distanceSumMm_ / static_cast<double>(distances_);
+}
+
+KnownDisplay knownDisplay(const Display& settings, const RecordedDisplay& file) {
+  KnownDisplay known{.display = settings};
+  if (settings.sizeGiven) {
+    known.sizeBy = "setting";
+  } else if (file.sizeMm()) {
+    known.display.widthMm = file.sizeMm()->x;
+    known.display.heightMm = file.sizeMm()->y;
+    known.sizeBy = "file";
+  }
+  if (settings.distanceGiven) {
+    known.distanceBy = "setting";
+  } else if (file.distanceMm()) {
+    known.display.distanceMm = *file.distanceMm();
+    known.distanceBy = "file";
+  }
+  return known;
+}
+
+std::string describe(const KnownDisplay& known) {
+  // Tenths are finer than anybody measures.
+  const auto shown = [](double millimetres) { return std::round(10.0 * millimetres) / 10.0; };
+  const Display& display = known.display;
+  return fmt::format("{:g}x{:g} mm ({}) at {:g} mm ({})", shown(display.widthMm),
+                     shown(display.heightMm), known.sizeBy, shown(display.distanceMm),
+                     known.distanceBy);
+}
+
 void registerSettings(settings::Registry& registry, Display& display) {
+  SaidLength width{display.widthMm, display.sizeGiven};
+  SaidLength height{display.heightMm, display.sizeGiven};
+  SaidLength distance{display.distanceMm, display.distanceGiven};
   registry.add({.key = "display.widthMm", .unit = "mm", .help = "width of the picture's area"},
-               display.widthMm, kSizes);
+               width, kSizes);
   registry.add({.key = "display.heightMm", .unit = "mm", .help = "height of the picture's area"},
-               display.heightMm, kSizes);
+               height, kSizes);
   registry.add({.key = "display.distanceMm", .unit = "mm", .help = "from the eyes to the display"},
-               display.distanceMm, kSizes);
+               distance, kSizes);
 }
 
 glm::dvec2 placeOfAngles(const glm::dvec2& degrees, const Display& display) {

@@ -31,10 +31,12 @@ void registerPipeline(settings::Registry& registry, PipelineSettings& s) {
   constexpr settings::Range kOffsets{.min = -1.0, .max = 1.0};
   registry.add({.key = "gaze.offsetX",
                 .unit = "widths",
-                .help = "added to every place, against a calibration that has drifted"},
+                .help = "added to every place, against a calibration that has drifted",
+                .share = true},
                s.offsetX, kOffsets);
-  registry.add({.key = "gaze.offsetY", .unit = "heights", .help = "the same, downwards"}, s.offsetY,
-               kOffsets);
+  registry.add(
+      {.key = "gaze.offsetY", .unit = "heights", .help = "the same, downwards", .share = true},
+      s.offsetY, kOffsets);
 }
 
 }  // namespace

@@ -58,6 +58,19 @@ double IntervalHistogram::median() const {
   return median;
 }
 
+IntervalHistogram::Steps IntervalHistogram::within(double least, double most) const {
+  Steps steps;
+  forEachBin([&](const Bin& bin) {
+    const double step = bin.sum / static_cast<double>(bin.count);
+    if (step > most) return false;
+    if (step < least) return true;
+    steps.count += bin.count;
+    steps.seconds += bin.sum;
+    return true;
+  });
+  return steps;
+}
+
 double IntervalHistogram::deviation(double limitSeconds) const {
   double weight = 0.0;
   double mean = 0.0;

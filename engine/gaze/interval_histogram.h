@@ -22,6 +22,12 @@ class IntervalHistogram {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// The upper median in seconds; 0 where nothing was added.
   [[nodiscard]] double median() const;
+  /// How many steps lie between two lengths in seconds, by the means of their bins, and their sum.
+  struct Steps {
+    std::uint64_t count = 0;
+    double seconds = 0.0;
+  };
+  [[nodiscard]] Steps within(double least, double most) const;
   /// Standard deviation, in seconds, of the steps up to a limit; 0 where there are none.
   [[nodiscard]] double deviation(double limitSeconds) const;
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/gaze/display.h"
 #include "engine/gaze/log_options.h"
 
 namespace macula::gaze {
@@ -42,6 +43,12 @@ struct CoordinateStatement {
   std::string screenBy = "file";  ///< of screenPixels
   std::string mapping = {};       ///< how degrees became places; empty for the others
 };
+
+/// CoordinateStatement::of a camera on the viewer's head.
+inline constexpr std::string_view kSceneCamera = "scene camera";
+
+/// The places are of the picture of a camera on the viewer's head, not of a display.
+[[nodiscard]] bool isOfSceneCamera(const CoordinateStatement& coordinates);
 
 /// The statement in one line: "px (file) from the top left (format) of the screen, 1280x1024
 /// (file)".
@@ -78,6 +85,7 @@ struct GazeLogHead {
   std::string format;         ///< a name of gazeFormatNames()
   double startSeconds = 0.0;  ///< time of the first sample as the file gives it
   CoordinateStatement coordinates;
+  RecordedDisplay display;
   GazeCounters counters;
   std::vector<std::string> notes;  ///< comments of the file without '#', and of its reader
 };

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
 #include "engine/gaze/cells.h"
+#include "engine/gaze/foreign_file.h"
 #include "engine/gaze/formats/formats.h"
 
 namespace macula::gaze {
@@ -53,21 +55,36 @@ std::vector<std::string> gazeFormatNames() {
 
 const LogFormat& formatFor(std::string_view header, const LogContext& context) {
   const std::string& wanted = context.options.format;
-  std::string known;
-  for (const LogFormat& format : kFormats) {
-    if (wanted == "auto" ? format.recognises(header, context) : format.name == wanted) {
-      return format;
-    }
-    known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.name, format.shows);
-  }
-  if (wanted != "auto") {
+  const auto named = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const LogFormat& format) { return format.name == wanted; });
+  if (named == kFormats.end() && wanted != "auto") {
     failInput("gaze format '{}' is unknown; the nearest is '{}'", oneLine(wanted),
               nearestName(wanted, gazeFormatNames()));
   }
+  if (const auto foreign = foreignTable(header)) {
+    failInput("{}: {}", context.where(), *foreign);
+  }
+  const auto recognises = [&](const LogFormat& format) {
+    return format.recognises(header, context);
+  };
+  // A header that nobody knows may still be read by the format that a person names.
+  if (named != kFormats.end() && recognises(*named)) return *named;
+  const auto shown = std::find_if(kFormats.begin(), kFormats.end(), recognises);
+  if (named != kFormats.end() && shown == kFormats.end()) return *named;
+  if (named != kFormats.end()) {
+    failInput("{}: gaze.format says {}, but the file is {}; leave it out, or give {}",
+              context.where(), named->name, shown->name, shown->name);
+  }
+  if (shown != kFormats.end()) return *shown;
+  std::string known;
+  for (const LogFormat& format : kFormats) {
+    known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.name, format.shows);
+  }
   if (isNumbers(header)) {
     failInput(
-        "{}: numbers without a header; a BIDS recording needs its JSON beside it, or give "
-        "--gaze.sidecar FILE.json",
+        "{}: numbers without a header; a BIDS recording needs its JSON, as NAME.json beside "
+        "NAME.tsv, "
+        "or give --gaze.sidecar FILE.json",
         context.where());
   }
   failInput("{}: not the first line of a gaze log; give one of {}", context.where(), known);

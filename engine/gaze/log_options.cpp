@@ -22,9 +22,14 @@ void registerSettings(settings::Registry& registry, LogOptions& options) {
   registry.add({.key = "gaze.sidecar",
                 .help = "JSON that describes a BIDS recording; empty: beside the file"},
                options.sidecar);
-  registry.add(
-      {.key = "gaze.minConfidence", .help = "Pupil Core samples below this confidence are lost"},
-      options.minConfidence, {.min = 0.0, .max = 1.0});
+  registry.add({.key = "gaze.minConfidence",
+                .help = "Pupil Core samples below this confidence are lost",
+                .share = true},
+               options.minConfidence, {.min = 0.0, .max = 1.0});
+  registry.add({.key = "gaze.sceneCameraAsDisplay",
+                .help = "degrees also from places in a scene camera's picture, as if it were the "
+                        "display"},
+               options.sceneCameraAsDisplay);
 }
 
 }  // namespace macula::gaze

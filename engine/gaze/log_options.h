@@ -26,11 +26,14 @@ struct LogOptions {
   std::string sidecar = {};    ///< JSON of a BIDS recording; empty: beside the file
   double minConfidence = 0.6;  ///< Pupil Core: samples below it are lost, 0..1
   Display display = {};        ///< turns degrees into places
+  /// Places in a scene camera's picture are taken for places on the display where degrees are asked
+  /// for; otherwise they have no degrees.
+  bool sceneCameraAsDisplay = false;
 };
 
 /// Registers `gaze.format`, `gaze.unit`, `gaze.origin`, `gaze.timeUnit`, `gaze.screen`,
-/// `gaze.sidecar` and `gaze.minConfidence`; `options` must outlive the registry. `display.*` are
-/// registered by registerSettings(registry, options.display).
+/// `gaze.sidecar`, `gaze.minConfidence` and `gaze.sceneCameraAsDisplay`; `options` must outlive the
+/// registry. `display.*` are registered by registerSettings(registry, options.display).
 void registerSettings(settings::Registry& registry, LogOptions& options);
 
 }  // namespace macula::gaze

@@ -17,6 +17,7 @@
 #include "engine/core/file.h"
 #include "engine/gaze/byte_source.h"
 #include "engine/gaze/cells.h"
+#include "engine/gaze/foreign_file.h"
 #include "engine/gaze/line_reader.h"
 #include "engine/gaze/log_format.h"
 
@@ -75,30 +76,55 @@ struct Sidecars {
   std::string stimulus;
 };
 
-Sidecars sidecarsOf(const std::filesystem::path& path, const LogOptions& options) {
-  if (!options.sidecar.empty() && !std::filesystem::exists(options.sidecar)) {
-    failInput("gaze.sidecar '{}': no such file; check the path", oneLine(options.sidecar));
-  }
+/// Where they would lie; empty where there is none for a log of this name.
+struct SidecarPaths {
+  std::string columns;
+  std::string stimulus;
+};
+
+SidecarPaths sidecarPaths(const std::filesystem::path& path, const LogOptions& options) {
   const std::string file = path.string();
   std::optional<std::string> stem = withoutEnd(file, ".tsv.gz");
   if (!stem) stem = withoutEnd(file, ".tsv");
-  Sidecars sidecars;
+  SidecarPaths paths;
   if (!options.sidecar.empty()) {
-    sidecars.columns = readSidecar(options.sidecar);
+    paths.columns = options.sidecar;
   } else if (stem) {
-    sidecars.columns = readSidecar(*stem + ".json");
+    paths.columns = *stem + ".json";
   }
   const std::optional<std::string> run = stem ? withoutEnd(*stem, "_physio") : std::nullopt;
   if (run) {
     const std::size_t recording = run->rfind("_recording-");
     const bool inName =
         recording != std::string::npos && run->find_first_of("/\\", recording) == std::string::npos;
-    sidecars.stimulus = readSidecar((inName ? run->substr(0, recording) : *run) + "_events.json");
+    paths.stimulus = (inName ? run->substr(0, recording) : *run) + "_events.json";
   }
+  return paths;
+}
+
+Sidecars sidecarsOf(const std::filesystem::path& path, const LogOptions& options) {
+  if (!options.sidecar.empty() && !std::filesystem::is_regular_file(options.sidecar)) {
+    failInput("gaze.sidecar '{}': no such file; check the path", oneLine(options.sidecar));
+  }
+  const SidecarPaths paths = sidecarPaths(path, options);
+  Sidecars sidecars;
+  if (!paths.columns.empty()) sidecars.columns = readSidecar(paths.columns);
+  if (!paths.stimulus.empty()) sidecars.stimulus = readSidecar(paths.stimulus);
   return sidecars;
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> sidecarFiles(const std::filesystem::path& path,
+                                                const LogOptions& options) {
+  const SidecarPaths paths = sidecarPaths(path, options);
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : {paths.columns, paths.stimulus}) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) files.emplace_back(file);
+  }
+  return files;
+}
 
 class GazeLogReader::Impl {
  public:
@@ -148,6 +174,10 @@ class GazeLogReader::Impl {
     std::string_view header;
     if (!nextRow(header)) {
       failInput("{}: line 1: the file is empty; give a gaze log", head_.name);
+    }
+    // What looked like UTF-16 may still be binary data.
+    if (const auto foreign = foreignBytes(header.substr(0, kForeignBytes))) {
+      failInput("{}: {}", head_.name, *foreign);
     }
     const LogContext context{head_, options_, lines_.number(), sidecars_.columns,
                              sidecars_.stimulus};
@@ -202,8 +232,11 @@ class GazeLogReader::Impl {
     ended_ = true;
     if (samples_ == 0) {
       if (problem_) failInput("{}: line {}: {}", head_.name, problemLine_, *problem_);
-      failInput("{}: line {}: no gaze sample follows the header; record or export again",
-                head_.name, lines_.number());
+      failInput("{}: line {}: no gaze sample follows the header; record or export again{}",
+                head_.name, lines_.number(),
+                options_.format == "auto"
+                    ? ""
+                    : fmt::format(", or leave out gaze.format where it is not {}", head_.format));
     }
     if (problem_) ++head_.counters.truncatedRows;
   }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/gaze/log.h"
 #include "engine/gaze/log_options.h"
@@ -43,5 +44,9 @@ class GazeLogReader {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The files beside a log that are read with it: those of a BIDS recording that are there.
+[[nodiscard]] std::vector<std::filesystem::path> sidecarFiles(const std::filesystem::path& path,
+                                                              const LogOptions& options);
 
 }  // namespace macula::gaze

@@ -22,6 +22,12 @@ GazeSettings undelayed(const GazeSettings& settings) {
   return plain;
 }
 
+bool isUndelayed(const GazeSettings& settings) {
+  // Auto filters live trackers only.
+  return settings.latencyMs == 0.0 && settings.pipeline.filter != FilterChoice::OneEuro &&
+         settings.pipeline.prediction == Prediction::None;
+}
+
 std::optional<double> pointError(const PointOfInterest& point, const PointOfInterest& truth,
                                  const Display& display) {
   if (truth.state != GazeState::Ok) return std::nullopt;

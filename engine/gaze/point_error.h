@@ -13,6 +13,9 @@ namespace macula::gaze {
 /// The same settings without latency, filter and prediction: what the log itself says.
 [[nodiscard]] GazeSettings undelayed(const GazeSettings& settings);
 
+/// Whether settings are as undelayed() makes them, in a replay: then every error is 0.
+[[nodiscard]] bool isUndelayed(const GazeSettings& settings);
+
 /// Degrees of visual angle between a point of interest and the eye.
 /// @param truth the point by undelayed() settings at the same time
 /// @returns nothing where the eye's place is not known (truth not ok)

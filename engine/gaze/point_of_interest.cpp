@@ -12,6 +12,8 @@ std::string_view stateName(GazeState state) {
       return "lost";
     case GazeState::Easing:
       return "easing";
+    case GazeState::Ended:
+      return "ended";
     case GazeState::None:
       break;
   }

@@ -14,9 +14,10 @@ enum class GazeState {
   Lost,    ///< no eye: the point rests at the centre, or waits where it is for a returned eye
   Easing,  ///< on the way to the centre, or back to the eye
   None,    ///< no gaze has come yet
+  Ended,   ///< the recording is over, and the point rests at the centre
 };
 
-/// "ok", "held", "lost", "easing" or "none", as reports write it.
+/// "ok", "held", "lost", "easing", "none" or "ended", as reports write it.
 [[nodiscard]] std::string_view stateName(GazeState state);
 
 /// Radius of the fovea as a share of the window's height: 2.5 degrees (the fovea is about 5.2

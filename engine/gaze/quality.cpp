@@ -10,6 +10,12 @@ namespace {
 
 // Steps of more than this many medians are losses, not jitter.
 constexpr double kJitterMedians = 2.0;
+// Times are differences of doubles: exact to this for recordings of days.
+constexpr double kStepTolerance = 1e-8;
+// A median of this many ticks is within 0.05 % of what it stands for.
+constexpr double kFineTicks = 1000.0;
+// A length of steps that is more seldom than one in so many comes from slips and losses.
+constexpr std::size_t kRare = 20;
 // Slower than any pursuit, faster than any eye.
 constexpr settings::Range kThresholds{.min = 1.0, .max = 1000.0};
 
@@ -44,6 +50,42 @@ double medianInterval(const GazeLog& log) {
 QualityMeter::QualityMeter(const QualityOptions& options)
     : movements_(options.ivtThreshold, options.display) {}
 
+void ClockTick::note(double step) {
+  constexpr double kFinest = 1e-6;
+  while (tick_ > 0.0) {
+    const double ticks = step / tick_;
+    if (std::abs(ticks - std::round(ticks)) * tick_ < kStepTolerance) return;
+    // Rounded, so that tenths of tenths stay what they are called.
+    tick_ = std::round(tick_ / 10.0 / kFinest) * kFinest;
+  }
+}
+
+/// The nominal time between two samples. A clock of whole milliseconds gives 60 Hz as 16 and 17 ms,
+/// of which the median is one and the mean the truth. Lost samples make steps of two intervals and
+/// more, and stay out of the mean.
+double QualityMeter::interval() const {
+  using Steps = IntervalHistogram::Steps;
+  const double median = intervals_.median();
+  const double tick = tick_.seconds();
+  if (median == 0.0 || tick == 0.0 || median > (kFineTicks - 0.5) * tick) return median;
+  const double ticks = std::round(median / tick);
+  const auto between = [&](double from, double to) {
+    return intervals_.within((from - 0.25) * tick, (to + 0.25) * tick);
+  };
+  const auto mean = [](const Steps& a, const Steps& b) {
+    return (a.seconds + b.seconds) / static_cast<double>(a.count + b.count);
+  };
+  if (ticks > 2.0) return mean(between(0.5 * ticks, 1.5 * ticks), {});
+  // A step of one interval and one of two may differ by a tick: only the two lengths that a steady
+  // tracker makes count, at 1200 Hz 1 ms and 0, a time that stands twice.
+  const Steps same = between(ticks, ticks);
+  const Steps longer = between(ticks + 1.0, ticks + 1.0);
+  const Steps shorter =
+      ticks > 1.0 ? between(ticks - 1.0, ticks - 1.0) : Steps{repeatedTimes_, 0.0};
+  const Steps& other = shorter.count >= longer.count ? shorter : longer;
+  return other.count * kRare < same.count ? median : mean(same, other);
+}
+
 void QualityMeter::countFrozen(const GazeSample& sample) {
   if (!(sample.position == frozenPlace_)) {  // also where there is none: NaN equals nothing
     frozenPlace_ = sample.position;
@@ -66,11 +108,13 @@ void QualityMeter::add(const GazeSample& sample) {
   ++counts_.samples;
   if (!sample.valid) ++counts_.lost;
   if (sample.valid && !onScreen(sample.position)) ++counts_.offScreen;
+  if (!first && time == newest_) ++repeatedTimes_;
   if (!first && time <= newest_) return;
   if (first) {
     first_ = time;
   } else {
     intervals_.add(time - newest_);
+    tick_.note(time - newest_);
   }
   newest_ = time;
   countFrozen(sample);
@@ -88,10 +132,10 @@ void QualityMeter::add(const GazeSample& sample) {
 GazeQuality QualityMeter::quality() const {
   GazeQuality quality = counts_;
   if (counts_.samples == 0) return quality;
-  const double interval = intervals_.median();
+  const double interval = this->interval();
   if (interval > 0.0) quality.rateHz = 1.0 / interval;
   quality.durationSeconds = newest_ - first_;
-  quality.jitterSeconds = intervals_.deviation(kJitterMedians * interval);
+  quality.jitterSeconds = intervals_.deviation(kJitterMedians * intervals_.median());
   quality.movements = movements_.result();
   // Lost samples at the start are due from the first one on; those at the end last as long as the
   // recording; a step between valid samples begins one interval after the former.

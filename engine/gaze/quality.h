@@ -12,8 +12,10 @@ namespace macula::gaze {
 /// Quality of a whole log. Times are measured over samples whose time goes forward.
 struct GazeQuality {
   std::size_t samples = 0;
-  std::size_t lost = 0;          ///< samples without one valid eye
-  double rateHz = 0.0;           ///< 1 / median interval; 0 where there are fewer than two times
+  std::size_t lost = 0;  ///< samples without one valid eye
+  /// 1 / median interval, or, where the clock is too coarse for that (16 and 17 ms for 60 Hz), over
+  /// the mean of the intervals within half of the median; 0 where there are fewer than two times.
+  double rateHz = 0.0;
   double durationSeconds = 0.0;  ///< from the first sample to the newest
   /// Longest time without a valid sample, from when the first missing one was due until the next
   /// valid one: n lost samples in a row last n intervals. Lost samples and silence count alike.
@@ -27,6 +29,19 @@ struct GazeQuality {
   /// not: the tracker repeated itself.
   std::size_t frozenRuns = 0;
   EyeMovements movements;
+};
+
+/// Finds what a clock counts in: the longest of 10, 1, 0.1, 0.01, 0.001 ms of which every step is a
+/// whole multiple.
+class ClockTick {
+ public:
+  /// @param step between two times, in seconds
+  void note(double step);
+  /// 0 where the clock is finer than a microsecond.
+  [[nodiscard]] double seconds() const { return tick_; }
+
+ private:
+  double tick_ = 0.01;
 };
 
 /// What turns places into angles and angles into movements.
@@ -51,9 +66,12 @@ class QualityMeter {
 
  private:
   void countFrozen(const GazeSample& sample);
+  [[nodiscard]] double interval() const;
 
   GazeQuality counts_;
   IntervalHistogram intervals_;
+  ClockTick tick_;
+  std::size_t repeatedTimes_ = 0;
   EyeMovementClassifier movements_;
   double first_ = 0.0;  ///< times
   double newest_ = 0.0;

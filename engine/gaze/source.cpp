@@ -51,6 +51,7 @@ PointOfInterest MouseGaze::at(double /*timeSeconds*/) {
 
 ReplayGaze::ReplayGaze(GazeLog log, const GazeSettings& settings)
     : log_(std::move(log)),
+      viewing_(viewingOf(log_, logOptionsOf(settings))),
       latency_(settings.latencyMs * 1e-3),
       interval_(medianInterval(log_)),
       lastTime_(latestTime(log_)),
@@ -58,7 +59,7 @@ ReplayGaze::ReplayGaze(GazeLog log, const GazeSettings& settings)
                 .latencySeconds = latency_,
                 .live = false,
                 .pipeline = settings.pipeline,
-                .display = settings.display}) {}
+                .display = viewing_.display.display}) {}
 
 PointOfInterest ReplayGaze::at(double timeSeconds) {
   const double time = timeSeconds - latency_;
@@ -67,10 +68,12 @@ PointOfInterest ReplayGaze::at(double timeSeconds) {
     tracker_.observe(log_.samples[next_]);
     ++next_;
   }
-  if (next_ > 0 && next_ == log_.samples.size() && time > lastTime_ + interval_ + kTimeTolerance) {
-    tracker_.lose(lastTime_ + interval_);
-  }
-  return tracker_.at(time);
+  const bool ended =
+      next_ > 0 && next_ == log_.samples.size() && time > lastTime_ + interval_ + kTimeTolerance;
+  if (ended) tracker_.lose(lastTime_ + interval_);
+  PointOfInterest point = tracker_.at(time);
+  if (ended && point.state == GazeState::Lost) point.state = GazeState::Ended;
+  return point;
 }
 
 std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec, const GazeSettings& settings) {

@@ -13,6 +13,7 @@
 #include "engine/gaze/log.h"
 #include "engine/gaze/point_of_interest.h"
 #include "engine/gaze/tracker.h"
+#include "engine/gaze/viewing.h"
 
 namespace macula::gaze {
 
@@ -91,7 +92,7 @@ class MouseGaze final : public GazeSource {
 
 /// Replays a log under the loss rule: the same log and frame times give the same points. The log's
 /// first sample is at time 0. Every sample between two frames is seen, so that a blink between them
-/// counts; after the last one the point is held and then eases to the centre.
+/// counts; after the last one the point is held, then eases to the centre, and has ended there.
 class ReplayGaze final : public GazeSource {
  public:
   /// @param settings with a latency of L, a frame at t knows the samples up to t - L
@@ -100,9 +101,13 @@ class ReplayGaze final : public GazeSource {
   [[nodiscard]] std::string name() const override { return log_.name; }
   void onSample(SampleListener listener) override { listener_ = std::move(listener); }
   [[nodiscard]] const GazeLog& log() const { return log_; }
+  [[nodiscard]] const Viewing& viewing() const { return viewing_; }
+  /// When the newest sample becomes known, on the clock of at(): frames after it see the end.
+  [[nodiscard]] double endSeconds() const { return lastTime_ + latency_; }
 
  private:
   GazeLog log_;
+  Viewing viewing_;
   double latency_;
   double interval_;
   double lastTime_;

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/core/plural.h"
+
 namespace macula::gl {
 namespace {
 
@@ -59,9 +61,10 @@ void judge(TimeSourceCheck& check) {
     if (!(std::abs(ratio - 1.0) <= kTolerance)) {
       check.source = TimeSource::Finish;
       check.reason = fmt::format(
-          "the GL timer says {:.2f} ms where the steady clock says {:.2f} ms ({} dispatches), so "
+          "the GL timer says {:.2f} ms where the steady clock says {:.2f} ms ({}), so "
           "glFinish and the steady clock are used",
-          check.queryMs[i], check.finishMs[i], check.kRepeats[i]);
+          check.queryMs[i], check.finishMs[i],
+          counted(static_cast<std::uint64_t>(check.kRepeats[i]), "dispatch", "dispatches"));
       return;
     }
   }

@@ -13,6 +13,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/plural.h"
 #include "engine/image/codec.h"
 #include "engine/image/png_check.h"
 #include "engine/image/radiance.h"
@@ -107,8 +108,8 @@ ImageF readHdr(const fs::path& path) {
               path.string());
   }
   if (image.channels < 3) {
-    failInput("{}: has {} channel(s); give an image with R, G and B", path.string(),
-              image.channels);
+    failInput("{}: has {}; give an image with R, G and B", path.string(),
+              counted(static_cast<std::uint64_t>(image.channels), "channel"));
   }
   return image;
 }

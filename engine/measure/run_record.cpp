@@ -158,6 +158,7 @@ Json toJson(const RunRecord& run) {
       {"method", run.method},
       {"sync", orNull(run.sync)},
       {"settings", Json(run.settings)},
+      {"provenance", run.provenance},
       {"bytes",
        {{"oit", run.oitBytes},
         {"budget", orNull(run.budgetBytes)},

@@ -71,6 +71,7 @@ struct RunRecord {
   std::string method;
   std::optional<std::string> sync;
   nlohmann::json settings;
+  nlohmann::ordered_json provenance;  ///< of measure::Provenance
   std::uint64_t oitBytes = 0;
   std::optional<std::uint64_t> budgetBytes;
   std::uint64_t overheadBytes = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 
 namespace macula::network {
 namespace {
@@ -25,8 +26,8 @@ const Tensor& tensorNamed(const Tensors& tensors, const std::string& key, std::s
     failInput("{}: tensor '{}' is missing; {} with it", name, key, kExportAnew);
   }
   if (found->second.shape.size() != dimensions) {
-    failInput("{}: tensor '{}': has {} dimensions, not {}; {}", name, key,
-              found->second.shape.size(), dimensions, kExportAnew);
+    failInput("{}: tensor '{}': has {}, not {}; {}", name, key,
+              counted(found->second.shape.size(), "dimension"), dimensions, kExportAnew);
   }
   return found->second;
 }
@@ -50,17 +51,17 @@ DenseLayer layerOf(const Tensors& tensors, std::size_t index, std::size_t inputs
   const Tensor& bias = tensorNamed(tensors, biasName(index), 1, name);
   const std::size_t outputs = weight.shape[0];
   if (weight.shape[1] != inputs) {
-    failInput("{}: tensor '{}': takes {} inputs, {} {}; {}", name, key, weight.shape[1],
+    failInput("{}: tensor '{}': takes {}, {} {}; {}", name, key, counted(weight.shape[1], "input"),
               index == 0 ? "the number of features is" : "the layer before gives", inputs,
               kExportAnew);
   }
   if (outputs == 0 || outputs > kMaxWidth) {
-    failInput("{}: tensor '{}': has {} outputs, not 1 to {}; train another network", name, key,
-              outputs, kMaxWidth);
+    failInput("{}: tensor '{}': has {}, not 1 to {}; train another network", name, key,
+              counted(outputs, "output"), kMaxWidth);
   }
   if (bias.shape[0] != outputs) {
-    failInput("{}: tensor '{}': has {} values for {} outputs; {}", name, biasName(index),
-              bias.shape[0], outputs, kExportAnew);
+    failInput("{}: tensor '{}': has {} for {}; {}", name, biasName(index),
+              counted(bias.shape[0], "value"), counted(outputs, "output"), kExportAnew);
   }
   return {.inputs = static_cast<int>(inputs),
           .outputs = static_cast<int>(outputs),
@@ -102,8 +103,8 @@ std::vector<DenseLayer> layersOf(const Tensors& tensors, std::size_t inputs, std
     values = static_cast<std::size_t>(layers.back().outputs);
   }
   if (values != outputs) {
-    failInput("{}: tensor '{}': gives {} outputs, __metadata__ names {}; {}", name,
-              weightName(count - 1), values, outputs, kExportAnew);
+    failInput("{}: tensor '{}': gives {}, __metadata__ names {}; {}", name, weightName(count - 1),
+              counted(values, "output"), outputs, kExportAnew);
   }
   return layers;
 }

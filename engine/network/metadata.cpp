@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/network/safetensors.h"
 
 namespace macula::network {
@@ -73,9 +74,8 @@ class Metadata {
   [[nodiscard]] std::vector<float> numbers(const char* key, std::size_t count) const {
     const std::vector<std::string> parts = split(text(key), ' ');
     if (parts.size() != count) {
-      fail(key, fmt::format("holds {} numbers for {} features; write one a feature, separated by "
-                            "single blanks",
-                            parts.size(), count));
+      fail(key, fmt::format("holds {} for {}; write one a feature, separated by single blanks",
+                            counted(parts.size(), "number"), counted(count, "feature")));
     }
     std::vector<float> numbers;
     for (const std::string& part : parts) numbers.push_back(number(key, part));

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/network/half.h"
 
 namespace macula::network {
@@ -33,8 +34,8 @@ std::uint64_t littleEndian(std::span<const std::byte> bytes) {
 /// The header's bytes.
 std::string_view headerOf(std::span<const std::byte> bytes, const std::string& name) {
   if (bytes.size() < kLengthBytes) {
-    failInput("{}: byte 0: the file has {} bytes, too few for a safetensors file; {}", name,
-              bytes.size(), kExportAnew);
+    failInput("{}: byte 0: the file has {}, too few for a safetensors file; {}", name,
+              counted(bytes.size(), "byte"), kExportAnew);
   }
   const std::uint64_t length = littleEndian(bytes.first(kLengthBytes));
   if (length > bytes.size() - kLengthBytes) {
@@ -164,8 +165,8 @@ Tensor tensorOf(const json& value, std::span<const std::byte> data, Range& range
   }
   tensor.bytes = data.subspan(range.begin, range.end - range.begin);
   if (!fills(tensor.shape, tensor.type, tensor.bytes.size())) {
-    failInput("{}: has {} bytes, which its shape does not fill; {}", range.place,
-              tensor.bytes.size(), kExportAnew);
+    failInput("{}: has {}, which its shape does not fill; {}", range.place,
+              counted(tensor.bytes.size(), "byte"), kExportAnew);
   }
   return tensor;
 }
@@ -185,8 +186,8 @@ void checkRanges(std::vector<Range> ranges, std::size_t dataBytes, const std::st
     end = range.end;
   }
   if (end != dataBytes) {
-    failInput("{}: {} bytes are left over behind the last tensor; {}", name, dataBytes - end,
-              kExportAnew);
+    failInput("{}: {} left over behind the last tensor; {}", name,
+              counted(dataBytes - end, "byte is", "bytes are"), kExportAnew);
   }
 }
 

@@ -105,8 +105,10 @@ std::uint64_t Fields::whole(const std::string& key, std::uint64_t most) {
 
 bool Fields::flag(const std::string& key) {
   const json& value = at(key);
-  if (!value.is_boolean()) fail(key, "is neither true nor false");
-  return value.get<bool>();
+  const bool scalar = value.is_boolean() || value.is_string() || value.is_number();
+  const std::optional<bool> flag = scalar ? settings::toBool(setting(key)) : std::nullopt;
+  if (!flag) fail(key, "is neither true nor false; write one of them");
+  return *flag;
 }
 
 std::string Fields::text(const std::string& key) {

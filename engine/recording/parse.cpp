@@ -62,8 +62,9 @@ scene::Camera parseCamera(Fields fields) {
 }
 
 gaze::PointOfInterest parseGaze(Fields fields) {
-  constexpr std::array kStates{gaze::GazeState::Ok, gaze::GazeState::Held, gaze::GazeState::Lost,
-                               gaze::GazeState::Easing, gaze::GazeState::None};
+  constexpr std::array kStates{gaze::GazeState::Ok,   gaze::GazeState::Held,
+                               gaze::GazeState::Lost, gaze::GazeState::Easing,
+                               gaze::GazeState::None, gaze::GazeState::Ended};
   std::vector<std::string_view> names;
   for (const gaze::GazeState state : kStates) names.push_back(gaze::stateName(state));
   gaze::PointOfInterest gaze;

@@ -1,17 +1,9 @@
 #include "engine/recording/scene_source.h"
 
-#include <span>
-
 #include "engine/core/error.h"
-#include "engine/core/file.h"
 #include "engine/core/sha256.h"
 
 namespace macula::recording {
-
-std::string fileSha256(const std::filesystem::path& file) {
-  const std::string bytes = readTextFile(file);
-  return sha256Hex(std::as_bytes(std::span(bytes)));
-}
 
 void checkFile(const std::filesystem::path& file, const std::string& sha256) {
   if (fileSha256(file) == sha256) return;

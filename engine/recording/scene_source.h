@@ -17,9 +17,6 @@ namespace macula::recording {
 /// @throws InputError as checkFile()
 [[nodiscard]] std::string checkedScene(const SceneSource& scene);
 
-/// The SHA-256 of a file. @throws InputError where it cannot be read
-[[nodiscard]] std::string fileSha256(const std::filesystem::path& file);
-
 /// @throws InputError where the file is missing or its SHA-256 is another
 void checkFile(const std::filesystem::path& file, const std::string& sha256);
 

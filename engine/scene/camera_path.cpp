@@ -19,6 +19,9 @@ constexpr int kFramingAngles = 24;             // directions from which the fit 
 constexpr std::size_t kFramingVertices = 1'000'000;
 constexpr float kCutCosine = 0.9396926F;  // of 20 degrees
 constexpr float kCutDistance = 0.05F;     // of the scene's radius
+// Below, squares of lengths would leave 32-bit floats.
+constexpr float kLeastOrbitRadius = 1e-15F;
+constexpr float kPointRadius = 1e-3F;  // metres around a scene that is one point
 // The near plane never comes nearer than this share of the far one: a finite range of depths.
 constexpr float kLeastNearShare = 2e-4F;
 
@@ -182,8 +185,9 @@ CameraPath autoOrbit(const Scene& scene) {
     if (camera.name == "orbit") return orbitLike(camera);
   }
   const Bounds bounds = boundsOf(scene);
-  // A scene of one point, or of none, still gets a frustum that is not empty.
-  const float radius = std::max(bounds.radius(), 1e-3F);
+  // Everything is in radii, so that scenes of any size fill the frame alike. One of a single point,
+  // or of none, still gets a frustum that is not empty.
+  const float radius = bounds.radius() > kLeastOrbitRadius ? bounds.radius() : kPointRadius;
   CameraOrbit orbit;
   orbit.center = bounds.center();
   const float distance = kOrbitMargin * std::max(framingDistance(scene, orbit.center), radius);

@@ -7,12 +7,14 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/plural.h"
 #include "engine/scene/camera_path.h"
 
 namespace macula::scene {
 namespace {
 
 constexpr std::string_view kHeader = "time_s,x,y,z,target_x,target_y,target_z,vfov_deg,cut";
+constexpr std::string_view kCutColumn = "cut";
 constexpr std::size_t kFields = 9;
 constexpr std::size_t kQuoted = 100;  // bytes of a damaged file that a message repeats at most
 constexpr double kDegrees = 180.0 / glm::pi<double>();
@@ -46,6 +48,10 @@ double readNumber(const Place& place, std::string_view field, std::string_view c
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+    if (column == kCutColumn) {
+      failInput("{}, line {}: cut is '{}'; write 0 or 1", place.file, place.line,
+                field.substr(0, kQuoted));
+    }
     failInput("{}, line {}: {} is '{}'; write a number with a decimal point", place.file,
               place.line, column, field.substr(0, kQuoted));
   }
@@ -73,8 +79,8 @@ CameraKey readRow(const Place& place, std::span<const std::string_view> columns,
                   std::string_view line) {
   const std::vector<std::string_view> fields = splitFields(line);
   if (fields.size() != columns.size()) {
-    failInput("{}, line {}: {} fields where the header has {}; write one for each column",
-              place.file, place.line, fields.size(), columns.size());
+    failInput("{}, line {}: {} where the header has {}; write one for each column", place.file,
+              place.line, counted(fields.size(), "field"), columns.size());
   }
   double v[kFields] = {};
   for (std::size_t i = 0; i < fields.size(); ++i) v[i] = readNumber(place, fields[i], columns[i]);

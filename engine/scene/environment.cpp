@@ -2,31 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
+
+#include "engine/scene/environment_limits.h"
 
 namespace macula::scene {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 /// Wide enough for a background that is looked at on a 1024-pixel window.
-constexpr int kMaxWidth = 2048;
+constexpr int kMaxSide = 2048;
 /// The roughest level; fewer texels would show the lobes' seams.
 constexpr int kMinWidth = 16;
-/// Enough that the roughest lobe of a pre-averaged level shows no noise.
-constexpr std::uint32_t kLobeSamples = 64;
-/// A sun of 1e5 in one texel would sparkle through every lobe.
-constexpr float kMaxRadiance = 1.0e4F;
+/// Samples of a lobe, by its density and evenly over the hemisphere: a sun is so bright that the
+/// lobe's skirts count, where few samples of the first kind are. With their footprints (see
+/// blurred()) enough that no lobe shows single samples.
+constexpr int kLobeSamples = 48;
+constexpr int kEvenSamples = 48;
+/// Small levels, whose lobes are wide in texels, have more, up to so many times; it costs little.
+constexpr int kMostTimes = 16;
+constexpr int kTexelsOfTimes = 8192;  ///< over the level's texels: how many times
+/// From one sample to the next around the axis; no two then stand in a line (Vogel 1979).
+constexpr float kGoldenAngle = 2.3999632F;
 
+/// Share of the sphere's area, times 2, above a row's upper edge (Archimedes): between two rows it
+/// differs by the area of what lies between.
+double bandTop(double row, int height) {
+  return -std::cos(std::numbers::pi * row / height);
+}
+
+/// Half as many texels a side, rounded down: each the mean of the area that it covers, weighted by
+/// solid angle, so that no light is lost or gained on the way.
 Panorama halved(const Panorama& in) {
   Panorama out{std::max(1, in.width / 2), std::max(1, in.height / 2), {}};
   out.pixels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  const auto edge = [](int i, int from, int to) {
+    return static_cast<double>(i) * static_cast<double>(from) / static_cast<double>(to);
+  };
   for (int y = 0; y < out.height; ++y) {
+    const double top = edge(y, in.height, out.height);
+    const double bottom = edge(y + 1, in.height, out.height);
     for (int x = 0; x < out.width; ++x) {
-      const int x1 = std::min(2 * x + 1, in.width - 1);
-      const int y1 = std::min(2 * y + 1, in.height - 1);
-      out.pixels.push_back(
-          0.25F * (in.at(2 * x, 2 * y) + in.at(x1, 2 * y) + in.at(2 * x, y1) + in.at(x1, y1)));
+      const double left = edge(x, in.width, out.width);
+      const double right = edge(x + 1, in.width, out.width);
+      glm::dvec3 sum(0.0);
+      double weight = 0.0;
+      for (int sy = static_cast<int>(top); sy < bottom; ++sy) {
+        const double band = bandTop(std::min(bottom, sy + 1.0), in.height) -
+                            bandTop(std::max(top, static_cast<double>(sy)), in.height);
+        for (int sx = static_cast<int>(left); sx < right; ++sx) {
+          const double area =
+              band * (std::min(right, sx + 1.0) - std::max(left, static_cast<double>(sx)));
+          sum += area * glm::dvec3(in.at(sx, sy));
+          weight += area;
+        }
+      }
+      out.pixels.emplace_back(sum / weight);
     }
   }
   return out;
@@ -49,41 +80,81 @@ glm::vec3 sampleBilinear(const Panorama& p, glm::vec2 uv) {
   return glm::mix(top, low, fy - y0);
 }
 
-float radicalInverse(std::uint32_t bits) {  // van der Corput, base 2
-  float value = 0.0F;
-  for (float digit = 0.5F; bits != 0; bits >>= 1, digit *= 0.5F) {
-    if ((bits & 1U) != 0) value += digit;
+/// A sample of the GGX lobe around +z, for a view along it.
+struct LobeSample {
+  glm::vec3 direction;
+  float weight;       ///< of its radiance; they do not add up to 1
+  double solidAngle;  ///< that it stands for
+};
+
+/// @param times as many samples as the least
+std::vector<LobeSample> lobeOf(float roughness, int times) {
+  std::vector<LobeSample> lobe;
+  const int byLobe = times * kLobeSamples;
+  const int even = times * kEvenSamples;
+  const float a2 = roughness * roughness * roughness * roughness;
+  const auto add = [&](int i, float cosH) {
+    const float cosine = 2.0F * cosH * cosH - 1.0F;
+    if (cosine <= 0.0F) return;
+    const float sine = std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
+    const float phi = kGoldenAngle * static_cast<float>(i);
+    // With V = N the density of directions is D / 4 (Karis 2013, Eq. 48); both kinds of samples
+    // share the hemisphere by the balance heuristic (Veach and Guibas 1995, Eq. 14).
+    const double spread = (static_cast<double>(a2) - 1.0) * cosH * cosH + 1.0;
+    const double density = static_cast<double>(a2) / (4.0 * std::numbers::pi * spread * spread);
+    const double solidAngle = 1.0 / (byLobe * density + even / (2.0 * std::numbers::pi));
+    lobe.push_back({{sine * std::cos(phi), sine * std::sin(phi), cosine},
+                    static_cast<float>(density * solidAngle) * cosine,
+                    solidAngle});
+  };
+  for (int i = 0; i < byLobe; ++i) {
+    const float xi = (static_cast<float>(i) + 0.5F) / static_cast<float>(byLobe);
+    add(i, std::sqrt((1.0F - xi) / (1.0F + (a2 - 1.0F) * xi)));
   }
-  return value;
+  for (int i = 0; i < even; ++i) {
+    const float cosine = (static_cast<float>(i) + 0.5F) / static_cast<float>(even);
+    add(i, std::sqrt(0.5F * (1.0F + cosine)));
+  }
+  return lobe;
 }
 
-/// Blurs with the GGX lobe of `roughness` around each texel's own direction (Karis 2013, Eq. 48).
-Panorama blurred(const Panorama& in, float roughness) {
+/// Blurs with the GGX lobe of `roughness` around each texel's own direction. Each sample is taken
+/// from the average whose texels are as large as what the sample stands for (Colbert and Krivanek
+/// 2007, "GPU-Based Importance Sampling", Eq. 13), or else a sun would fall between the samples.
+/// @param averages the panorama, halved from one to the next @param level of the result's size
+Panorama blurred(const std::vector<Panorama>& averages, std::size_t level, float roughness) {
+  const Panorama& in = averages[level];
   Panorama out{in.width, in.height, {}};
   out.pixels.resize(in.pixels.size());
-  const float a = roughness * roughness;
+  const int times = std::clamp(kTexelsOfTimes / (in.width * in.height), 1, kMostTimes);
+  const std::vector<LobeSample> lobe = lobeOf(roughness, times);
+  std::vector<std::size_t> levels;
+  const double texel = 4.0 * kPi / static_cast<double>(in.pixels.size());
+  for (const LobeSample& sample : lobe) {
+    // Rounded up: too smooth is better than single samples. Finer than the result where samples are
+    // many, or else a sun would stand in the middle of a wide texel; not so fine that a lobe could
+    // fall between two texels of the result.
+    constexpr double kFinest = -2.0;
+    const double steps = std::max(kFinest, std::ceil(0.5 * std::log2(sample.solidAngle / texel)));
+    const double index = std::clamp(static_cast<double>(level) + steps, 0.0,
+                                    static_cast<double>(averages.size() - 1));
+    levels.push_back(static_cast<std::size_t>(index));
+  }
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
       const glm::vec3 n =
           directionOf((static_cast<float>(x) + 0.5F) / static_cast<float>(in.width),
                       (static_cast<float>(y) + 0.5F) / static_cast<float>(in.height));
-      const glm::vec3 up = std::abs(n.y) < 0.99F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-      const glm::vec3 tangent = glm::normalize(glm::cross(up, n));
+      // No texel's middle is a pole.
+      const glm::vec3 tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), n));
       const glm::vec3 bitangent = glm::cross(n, tangent);
       glm::vec3 sum(0.0F);
       float weight = 0.0F;
-      for (std::uint32_t i = 0; i < kLobeSamples; ++i) {
-        const float phi = 2.0F * kPi * (static_cast<float>(i) + 0.5F) / kLobeSamples;
-        const float xi = radicalInverse(i);
-        const float cosH = std::sqrt((1.0F - xi) / (1.0F + (a * a - 1.0F) * xi));
-        const float sinH = std::sqrt(std::max(0.0F, 1.0F - cosH * cosH));
-        const glm::vec3 h =
-            tangent * (sinH * std::cos(phi)) + bitangent * (sinH * std::sin(phi)) + n * cosH;
-        const glm::vec3 l = 2.0F * glm::dot(n, h) * h - n;
-        const float cosL = glm::dot(n, l);
-        if (cosL <= 0.0F) continue;
-        sum += sampleBilinear(in, panoramaUv(l)) * cosL;
-        weight += cosL;
+      for (std::size_t i = 0; i < lobe.size(); ++i) {
+        const glm::vec3& d = lobe[i].direction;
+        const glm::vec3 l = tangent * d.x + bitangent * d.y + n * d.z;
+        sum += sampleBilinear(averages[levels[i]], panoramaUv(l)) * lobe[i].weight;
+        weight += lobe[i].weight;
       }
       out.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(in.width) +
                  static_cast<std::size_t>(x)] = weight > 0.0F ? sum / weight : glm::vec3(0.0F);
@@ -110,22 +181,24 @@ constexpr std::array<float, 9> kCosineLobe{1.0F,  2.0F / 3.0F, 2.0F / 3.0F, 2.0F
                                            0.25F, 0.25F,       0.25F,       0.25F};
 
 std::array<glm::vec3, 9> irradianceOf(const Panorama& p) {
-  std::array<glm::vec3, 9> sum{};
+  std::array<glm::dvec3, 9> sum{};
   for (int y = 0; y < p.height; ++y) {
-    // The exact area of a texel of this row on the unit sphere (Archimedes' bands).
-    const float top = kPi * static_cast<float>(y) / static_cast<float>(p.height);
-    const float bottom = kPi * static_cast<float>(y + 1) / static_cast<float>(p.height);
-    const float solidAngle =
-        2.0F * kPi / static_cast<float>(p.width) * (std::cos(top) - std::cos(bottom));
+    const double solidAngle =
+        2.0 * std::numbers::pi / p.width * (bandTop(y + 1.0, p.height) - bandTop(y, p.height));
     const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(p.height);
     for (int x = 0; x < p.width; ++x) {
       const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(p.width);
       const std::array<float, 9> basis = harmonics(directionOf(u, v));
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += p.at(x, y) * (basis[i] * solidAngle);
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] += glm::dvec3(p.at(x, y)) * (static_cast<double>(basis[i]) * solidAngle);
+      }
     }
   }
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] *= kCosineLobe[i];
-  return sum;
+  std::array<glm::vec3, 9> irradiance{};
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    irradiance[i] = glm::vec3(sum[i] * static_cast<double>(kCosineLobe[i]));
+  }
+  return irradiance;
 }
 
 }  // namespace
@@ -142,19 +215,23 @@ glm::vec2 panoramaUv(const glm::vec3& d) {
 }
 
 Environment makeEnvironment(Panorama panorama) {
-  for (glm::vec3& p : panorama.pixels) p = glm::clamp(p, glm::vec3(0.0F), glm::vec3(kMaxRadiance));
-  while (panorama.width > kMaxWidth) panorama = halved(panorama);
-  int count = 1;
-  for (int w = panorama.width; w / 2 >= kMinWidth; w /= 2) ++count;
   Environment environment;
-  environment.levels.push_back(std::move(panorama));
-  Panorama averaged = environment.levels.front();
-  for (int i = 1; i < count; ++i) {
-    averaged = halved(averaged);
+  const std::string unusable = makeUsable(panorama);
+  if (!unusable.empty()) environment.warnings.push_back(unusable);
+  while (std::max(panorama.width, panorama.height) > kMaxSide) panorama = halved(panorama);
+  environment.irradiance = irradianceOf(panorama);
+  std::size_t count = 1;
+  for (int w = panorama.width; w / 2 >= kMinWidth; w /= 2) ++count;
+  std::vector<Panorama> averages{std::move(panorama)};
+  while (averages.back().width > 1) averages.push_back(halved(averages.back()));
+  for (std::size_t i = 1; i < count; ++i) {
     environment.levels.push_back(
-        blurred(averaged, static_cast<float>(i) / static_cast<float>(count - 1)));
+        blurred(averages, i, static_cast<float>(i) / static_cast<float>(count - 1)));
+    (void)limitRadiance(environment.levels.back());
   }
-  environment.irradiance = irradianceOf(environment.levels.front());
+  environment.levels.insert(environment.levels.begin(), std::move(averages.front()));
+  const std::string limited = describe(limitRadiance(environment.levels.front()));
+  if (!limited.empty()) environment.warnings.push_back(limited);
   return environment;
 }
 

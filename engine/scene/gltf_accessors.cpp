@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "engine/core/plural.h"
+
 namespace macula::scene::gltf {
 namespace {
 
@@ -64,9 +66,8 @@ Layout layoutOf(const Document& document, std::int32_t view, std::size_t byteOff
   const std::size_t room = byteOffset > bytes.size() ? 0 : bytes.size() - byteOffset;
   const std::size_t most = room < elementBytes ? 0 : (room - elementBytes) / stride + 1;
   if (count > most) {
-    document.fail(place,
-                  "{} elements asked for, and buffer view {} holds {}; export the file again",
-                  count, view, most);
+    document.fail(place, "{} asked for, and buffer view {} holds {}; export the file again",
+                  counted(count, "element"), view, most);
   }
   // Without elements there may be no bytes to point at.
   return {count == 0 ? nullptr : bytes.data() + byteOffset, stride};
@@ -199,8 +200,8 @@ Elements readElements(const Document& document, std::int32_t index, std::size_t 
                   index);
   }
   if (count > accessor.count) {
-    document.fail(place, "accessor {} has {} elements where {} are needed; export the file again",
-                  index, accessor.count, count);
+    document.fail(place, "accessor {} has {} where {} needed; export the file again", index,
+                  counted(accessor.count, "element"), counted(count, "is", "are"));
   }
   const bool normalized = accessor.normalized || integers == Integers::Normalized;
   Elements elements{count, components, {}};

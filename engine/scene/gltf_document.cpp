@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/plural.h"
 #include "engine/scene/gltf_container.h"
 #include "engine/scene/gltf_uri.h"
 
@@ -179,9 +180,8 @@ void readBuffers(const json& root, std::span<const std::byte> binary, Document& 
       continue;
     }
     if (bytes.size() < byteLength) {
-      document.fail(place,
-                    "has {} bytes where byteLength asks for {}; copy or export the file again",
-                    bytes.size(), byteLength);
+      document.fail(place, "has {} where byteLength asks for {}; copy or export the file again",
+                    counted(bytes.size(), "byte"), byteLength);
     }
     document.buffers.push_back(bytes.first(static_cast<std::size_t>(byteLength)));
   }
@@ -206,7 +206,7 @@ void Warnings::add(const std::string& line) {
 
 std::vector<std::string> Warnings::lines() const {
   std::vector<std::string> all = lines_;
-  if (leftOut_ > 0) all.push_back(fmt::format("{} more warnings", leftOut_));
+  if (leftOut_ > 0) all.push_back(counted(leftOut_, "more warning"));
   return all;
 }
 
@@ -247,7 +247,7 @@ Document openDocument(std::span<const std::byte> bytes, const std::filesystem::p
   readBuffers(root, container.binary, document);
   readImageSources(root, document);
   if (const std::size_t count = arrayMember(root, "animations", name).size(); count > 0) {
-    document.warnings.add(fmt::format("{} animation(s) are not played", count));
+    document.warnings.add(counted(count, "animation is", "animations are") + " not played");
   }
   // tinygltf 2.7 gets neither bytes to trust nor files to open: it would read images beyond their
   // buffers, expand paths through a shell and stop at the first image it cannot decode.

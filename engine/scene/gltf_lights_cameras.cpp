@@ -57,6 +57,8 @@ void addLights(Document& document, const NodeTree& tree, Scene& scene) {
                     source.type);
       continue;
     }
+    const std::string& name = document.model.nodes[i].name;
+    light.name = name.empty() ? place : name;
     light.position = glm::vec3(tree.world[i][3]);
     light.direction = axisOf(tree.world[i], 2, -1.0F);
     if (light.direction == glm::vec3(0.0F) && light.type != LightType::Point) {

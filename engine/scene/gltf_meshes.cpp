@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/plural.h"
 #include "engine/scene/mesh_attributes.h"
 
 namespace macula::scene::gltf {
@@ -114,13 +115,14 @@ void MeshReader::readPrimitive(const tinygltf::Primitive& source, std::int32_t s
 std::size_t MeshReader::vertexCount(const tinygltf::Primitive& source, std::int32_t position) {
   const tinygltf::Accessor& accessor = accessorAt(document_, position, place_);
   if (accessor.bufferView == kNone && accessor.count > kMaxUnbackedVertices) {
-    document_.fail(place_, "{} positions without data; export the file again", accessor.count);
+    document_.fail(place_, "{} without data; export the file again",
+                   counted(accessor.count, "position"));
   }
   for (const auto& [semantic, index] : source.attributes) {
     const std::size_t count = accessorAt(document_, index, place_).count;
     if (count != accessor.count) {
-      document_.fail(place_, "{} has {} elements for {} positions; export the file again",
-                     oneLine(semantic), count, accessor.count);
+      document_.fail(place_, "{} has {} for {}; export the file again", oneLine(semantic),
+                     counted(count, "element"), counted(accessor.count, "position"));
     }
   }
   countVertices(accessor.count);
@@ -134,8 +136,8 @@ Elements MeshReader::attribute(const tinygltf::Primitive& source, const std::str
   const std::string place = place_ + " " + semantic;
   Elements elements = readElements(document_, found->second, count_, place, integers);
   if (elements.components < least || elements.components > most) {
-    document_.fail(place, "has {} components where {} are needed; export the file again",
-                   elements.components, least);
+    document_.fail(place, "has {} where {} needed; export the file again",
+                   counted(elements.components, "component"), counted(least, "is", "are"));
   }
   return elements;
 }
@@ -191,8 +193,8 @@ void MeshReader::readIndexList(const tinygltf::Primitive& source, Primitive& pri
     }
   }
   if (list && indices.size() % 3 != 0) {
-    document_.warn(place_, "{} indices are no whole number of triangles, the last are left out",
-                   indices.size());
+    document_.warn(place_, "{} no whole number of triangles, the last are left out",
+                   counted(indices.size(), "index is", "indices are"));
   }
   const Topology topology = list                                          ? Topology::Triangles
                             : source.mode == TINYGLTF_MODE_TRIANGLE_STRIP ? Topology::TriangleStrip
@@ -234,7 +236,8 @@ void MeshReader::dropUnusable(Primitive& primitive) {
     kept.insert(kept.end(), corner, corner + 3);
   }
   if (const std::size_t lost = (primitive.indices.size() - kept.size()) / 3; lost > 0) {
-    document_.warn(place_, "{} triangles with coordinates that are not finite are left out", lost);
+    document_.warn(place_, "{} with coordinates that are not finite {} left out",
+                   counted(lost, "triangle"), nounFor(lost, "is", "are"));
   }
   for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
     if (unusable[i]) primitive.positions[i] = stand;
@@ -248,7 +251,8 @@ void MeshReader::completeAttributes(const tinygltf::Primitive& source, Primitive
     countVertices(primitive.indices.size());
     splitWithFlatNormals(primitive);
   } else if (const std::uint64_t broken = repairNormals(primitive); broken > 0) {
-    document_.warn(place_, "{} normals without direction are replaced", broken);
+    document_.warn(place_, "{} without direction {} replaced", counted(broken, "normal"),
+                   nounFor(broken, "is", "are"));
   }
   // Without normals the file's tangents do not count: specification section 3.7.2.1.
   if (has(source, "TANGENT") && hasNormals) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "engine/core/plural.h"
+
 namespace macula::scene::gltf {
 namespace {
 
@@ -57,7 +59,7 @@ std::vector<std::int32_t> findParents(const Document& document) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (const int child : nodes[i].children) {
       if (child < 0 || static_cast<std::size_t>(child) >= nodes.size()) {
-        document.fail(placeOf(i), "names child {} of {} nodes; export the file again", child,
+        document.fail(placeOf(i), "names child {} of {}; export the file again", child,
                       nodes.size());
       }
       std::int32_t& parent = parents[static_cast<std::size_t>(child)];
@@ -122,8 +124,8 @@ NodeTree placeNodes(Document& document) {
   }
   const std::vector<std::int32_t> all = traverse(document, roots);
   if (all.size() < count) {  // with one parent each, only a ring has no way from a root
-    document.fail("nodes", "{} of {} nodes are their own ancestors; export the file again",
-                  count - all.size(), count);
+    document.fail("nodes", "{} of {} are their own ancestors; export the file again",
+                  count - all.size(), counted(count, "node"));
   }
   std::vector<glm::dmat4> exact(count, glm::dmat4(1.0));
   NodeTree tree;

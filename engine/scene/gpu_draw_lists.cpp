@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engine/scene/alpha_holes.h"
 #include "engine/scene/gpu_scene.h"
 
 namespace macula::scene {
@@ -21,12 +22,13 @@ struct Draw {
   DrawRun key;
 
   [[nodiscard]] auto order() const {
-    return std::make_tuple(key.cull, key.mask, key.lit, key.texturedMaterial, command.baseInstance);
+    return std::make_tuple(key.cull, key.mask, key.lit, key.texturedMaterial, key.holed,
+                           command.baseInstance);
   }
 };
 
 bool sameRun(const DrawRun& a, const DrawRun& b) {
-  return a.cull == b.cull && a.lit == b.lit && a.mask == b.mask &&
+  return a.cull == b.cull && a.lit == b.lit && a.mask == b.mask && a.holed == b.holed &&
          a.texturedMaterial == b.texturedMaterial;
 }
 
@@ -54,10 +56,10 @@ DrawList makeList(std::string_view label, std::vector<Draw> draws, DrawOrder ord
       list.runs.back().first = index;
     }
     ++list.runs.back().count;
-    // For depth alone, only the culling and the textures of MASK materials matter.
+    // For depth alone, only the culling matters, and textures where alpha is tested.
     DrawRun depthKey = draw.key;
     depthKey.lit = false;
-    if (!draw.key.mask) depthKey.texturedMaterial = kNone;
+    if (!draw.key.mask && !draw.key.holed) depthKey.texturedMaterial = kNone;
     if (list.depthRuns.empty() || !sameRun(list.depthRuns.back(), depthKey)) {
       list.depthRuns.push_back(depthKey);
       list.depthRuns.back().first = index;
@@ -75,12 +77,13 @@ DrawList makeList(std::string_view label, std::vector<Draw> draws, DrawOrder ord
 void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
   std::vector<Draw> opaque;
   std::vector<Draw> transparent;
+  const std::vector<AlphaHoles> holes = alphaHolesOf(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const Primitive& primitive = scene.primitives[instance.primitive];
     const Material& material = scene.materialOf(primitive);
     const Placement& placement = placements_[instance.primitive];
-    if (placement.indexCount == 0) continue;
+    if (placement.indexCount == 0 || holes[instance.primitive] == AlphaHoles::All) continue;
     Draw draw;
     draw.command.count = placement.indexCount;
     draw.command.firstIndex = placement.firstIndex;
@@ -89,6 +92,7 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
     draw.key.cull = cullModeOf(material, instance.transform);
     draw.key.lit = !material.unlit;
     draw.key.mask = material.alphaMode == AlphaMode::Mask && !material.isTransparent();
+    draw.key.holed = holes[instance.primitive] == AlphaHoles::Some;
     draw.key.texturedMaterial = isTextured(material) ? primitive.material : kNone;
     draw.key.count = 0;
     (material.isTransparent() ? transparent : opaque).push_back(draw);

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <set>
@@ -14,7 +15,7 @@
 namespace macula::scene {
 namespace {
 
-static_assert(kMostVeins == MAX_VEINS);
+static_assert(kMostVeins == MAX_VEINS && kMostLights == MAX_LIGHTS);
 
 constexpr std::array<std::uint32_t, MATERIAL_TEXTURES> kTextureFlags{
     MATERIAL_HAS_BASE_COLOR_TEXTURE, MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE,
@@ -38,6 +39,10 @@ gl::Texture upload(const Image& image, bool srgb) {
   glGenerateTextureMipmap(texture.id());
   return texture;
 }
+
+/// A light on a surface is this far away at the least: 1 cm, and less where the scene is small.
+constexpr float kLeastLightDistance = 0.01F;  // metres
+constexpr float kLeastLightRadii = 1e-3F;     // radii of the scene
 
 GLint wrapMode(Sampler::Wrap wrap) {
   switch (wrap) {
@@ -72,7 +77,8 @@ glm::vec3 attenuationOf(const Material& m) {
 shader::MaterialData dataOf(const Material& m) {
   shader::MaterialData d{};
   d.baseColor = m.baseColor;
-  d.emissive = glm::vec4(m.emissive, m.normalScale);
+  // KHR_materials_unlit: the base colour alone.
+  d.emissive = glm::vec4(m.unlit ? glm::vec3(0.0F) : m.emissive, m.normalScale);
   d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
   d.transmission = glm::vec4(attenuationOf(m), m.transmission);
   d.flags.x = (m.unlit ? MATERIAL_UNLIT : 0U) |
@@ -114,7 +120,8 @@ shader::LightData dataOf(const Light& light) {
 
 /// An orthographic view from the light around the whole scene, clip z 0..1.
 glm::mat4 shadowViewProjectionOf(const Light& light, const Bounds& bounds) {
-  const float radius = std::max(bounds.radius(), 1e-4F);
+  // Any size is drawn; without one the projection would have no inverse.
+  const float radius = bounds.radius() > 0.0F ? bounds.radius() : 1.0F;
   const glm::vec3 center = bounds.center();
   const glm::vec3 up =
       std::abs(light.direction.y) > 0.99F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0, 1, 0);
@@ -163,9 +170,9 @@ void GpuScene::uploadLights(const Scene& scene, const Environment* environment) 
   shader::LightBlock block{};
   const std::size_t count = std::min<std::size_t>(scene.lights.size(), MAX_LIGHTS);
   block.ambient = glm::vec4(scene.ambient, static_cast<float>(count));
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
-    block.lights[i] = dataOf(light);
+    if (i < count) block.lights[i] = dataOf(light);  // chooseLights() may put others there
     if (!light.castsShadow) continue;
     shadowViewProjection_ = shadowViewProjectionOf(light, bounds_);
     const glm::mat4 toTexture = glm::scale(glm::translate(glm::mat4(1.0F), {0.5F, 0.5F, 0.0F}),
@@ -173,6 +180,8 @@ void GpuScene::uploadLights(const Scene& scene, const Environment* environment) 
     block.shadowMatrix = toTexture * shadowViewProjection_;
     block.shadow.x = 2.0F * bounds_.radius();  // world width of the map; the shader knows its size
   }
+  const float least = std::min(kLeastLightDistance, kLeastLightRadii * bounds_.radius());
+  block.shadow.y = least * least;
   block.occlusion =
       glm::vec4(scene.occlusion.radius, static_cast<float>(scene.occlusion.samples), 0.0F, 0.0F);
   const std::vector<std::int32_t> veins = veinNumbers(scene);
@@ -197,6 +206,20 @@ void GpuScene::uploadLights(const Scene& scene, const Environment* environment) 
     }
   }
   lights_ = gl::Buffer("lights", sizeof(block), &block);
+  lightChoice_ = LightChoice(scene.lights, bounds_);
+  if (!lightChoice_.needed()) return;
+  for (const Light& light : scene.lights) allLights_.push_back(dataOf(light));
+  chosenLights_.reserve(MAX_LIGHTS);
+}
+
+void GpuScene::chooseLights(const Camera& camera, float aspect) const {
+  if (!lightChoice_.needed()) return;
+  const auto chosen = lightChoice_.choose(camera, aspect);
+  if (std::equal(chosen.begin(), chosen.end(), chosenLights_.begin(), chosenLights_.end())) return;
+  chosenLights_.assign(chosen.begin(), chosen.end());
+  std::array<shader::LightData, MAX_LIGHTS> data{};
+  for (std::size_t i = 0; i < chosen.size(); ++i) data[i] = allLights_[chosen[i]];
+  lights_.upload(data.data(), sizeof(data), offsetof(shader::LightBlock, lights));
 }
 
 }  // namespace macula::scene

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/gl/block_check.h"
+#include "engine/scene/alpha_holes.h"
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
 
@@ -47,6 +48,7 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
   std::vector<VertexAttributes> attributes;
   std::vector<std::uint32_t> indices;
   for (const Primitive& primitive : scene.primitives) {
+    const Material& material = scene.materialOf(primitive);
     Placement placement;
     placement.firstIndex = static_cast<std::uint32_t>(indices.size());
     placement.indexCount = static_cast<std::uint32_t>(primitive.indices.size());
@@ -54,14 +56,13 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
     placements_.push_back(placement);
     positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
     attributes.insert(attributes.end(), primitive.attributes.begin(), primitive.attributes.end());
-    if (!order.reversed) {
-      indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-      continue;
-    }
-    for (std::size_t t = primitive.indices.size() / 3; t-- > 0;) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        indices.push_back(primitive.indices[3 * t + corner]);
-      }
+    const std::size_t triangles = primitive.indices.size() / 3;
+    for (std::size_t i = 0; i < triangles; ++i) {
+      const std::uint32_t* corners =
+          &primitive.indices[3 * (order.reversed ? triangles - 1 - i : i)];
+      // One corner thrice covers no pixel, and the ids of the others stay.
+      const bool nothing = isNothing(material, primitive, corners);
+      for (std::size_t c = 0; c < 3; ++c) indices.push_back(corners[nothing ? 0 : c]);
     }
   }
   positions_ = bufferOf("positions", positions);

@@ -9,8 +9,10 @@
 
 #include "engine/gl/objects.h"
 #include "engine/scene/environment.h"
+#include "engine/scene/light_choice.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_facts.h"
+#include "shared/scene_data.h"
 
 namespace macula::scene {
 
@@ -23,13 +25,14 @@ struct DrawRun {
   CullMode cull = CullMode::Back;
   bool lit = false;
   bool mask = false;
+  bool holed = false;  ///< transparent, and where alpha says so a fragment is not there
   std::int32_t texturedMaterial = kNone;  ///< kNone: no textures, materials may differ
 };
 
 /// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
 struct DrawList {
   std::vector<DrawRun> runs;       ///< by cull mode, shading and material
-  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and MASK materials split them
+  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and what tests alpha split them
   gl::Buffer commands;
   std::uint64_t triangles = 0;
   [[nodiscard]] bool empty() const { return runs.empty(); }
@@ -59,6 +62,8 @@ class GpuScene {
 
   /// Binds vertices, instances and materials for drawing.
   void bindGeometry() const;
+  /// Where the scene has more lights than a frame takes, chooses those of this view.
+  void chooseLights(const Camera& camera, float aspect) const;
   /// Binds the lights' block and the environment texture.
   void bindLights() const;
   /// Binds the five textures of a material, white where it has none.
@@ -89,7 +94,11 @@ class GpuScene {
   gl::Buffer instanceNumbers_;
   gl::Buffer instances_;
   gl::Buffer materials_;
-  gl::Buffer lights_;
+  // What the buffer holds is a function of the view that was drawn last, whoever drew it.
+  mutable gl::Buffer lights_;
+  mutable LightChoice lightChoice_;
+  mutable std::vector<std::uint32_t> chosenLights_;
+  std::vector<shader::LightData> allLights_;  ///< where they do not all fit
   std::vector<gl::Texture> images_;
   std::vector<gl::SamplerId> samplers_;
   gl::Texture white_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <filesystem>
+#include <iterator>
 #include <string_view>
 
 #include "engine/core/error.h"
@@ -52,6 +52,8 @@ int numberIn(const std::string& name, std::string_view prefix, const char* what,
   return n;
 }
 
+}  // namespace
+
 bool isSceneFile(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -59,7 +61,31 @@ bool isSceneFile(const std::filesystem::path& path) {
   return extension == ".gltf" || extension == ".glb";
 }
 
-}  // namespace
+bool isProcedural(const std::string& name) {
+  return name.starts_with(kLayersPrefix) || name.starts_with(kMedleyPrefix) ||
+         std::any_of(std::begin(kRecipes), std::end(kRecipes),
+                     [&](const Recipe& recipe) { return name == recipe.name; });
+}
+
+std::string unknownScene(const std::string& nameOrPath) {
+  const std::filesystem::path path(nameOrPath);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    return "is a folder; name a .gltf or .glb file in it";
+  }
+  if (std::filesystem::exists(path, error)) {
+    return "is no scene that Macula reads; name a .gltf or .glb file";
+  }
+  if (path.has_parent_path() || path.has_extension()) return "no such file; check the path";
+  std::vector<std::string> names;
+  std::string all;
+  for (const RecipeInfo& recipe : recipes()) {
+    names.push_back(recipe.name);
+    all += (all.empty() ? "" : ", ") + recipe.name;
+  }
+  return fmt::format("no such scene; the nearest is '{}' of {}; or name a .gltf or .glb file",
+                     nearestName(nameOrPath, names), all);
+}
 
 std::vector<RecipeInfo> recipes() {
   std::vector<RecipeInfo> list;
@@ -94,18 +120,7 @@ Scene loadScene(const std::string& nameOrPath, std::uint64_t seed) {
     return makeMedley(
         numberIn(nameOrPath, kMedleyPrefix, "number of a medley", 0, kMaxMedley, "medley-7"));
   }
-
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    failInput("{}: is a folder; name a .gltf or .glb file in it", nameOrPath);
-  }
-  if (std::filesystem::exists(path, error)) {
-    failInput("{}: is no scene that Macula reads; name a .gltf or .glb file", nameOrPath);
-  }
-  std::vector<std::string> names;
-  for (const RecipeInfo& recipe : recipes()) names.push_back(recipe.name);
-  failInput("{}: no such scene or file; did you mean '{}'? 'macula scene list' names all scenes",
-            nameOrPath, nearestName(nameOrPath, names));
+  failInput("{}: {}", nameOrPath, unknownScene(nameOrPath));
 }
 
 }  // namespace macula::scene

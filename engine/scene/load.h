@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct RecipeInfo {
 
 /// All procedural scenes.
 [[nodiscard]] std::vector<RecipeInfo> recipes();
+
+/// Whether a name ends in .gltf or .glb, in any case.
+[[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
+/// Whether a name is that of a procedural scene; whether the N of one is in range, loading tells.
+[[nodiscard]] bool isProcedural(const std::string& name);
+/// Why a name that is neither of these can be no scene, and the cure: the end of a message.
+[[nodiscard]] std::string unknownScene(const std::string& nameOrPath);
 
 /// Computes a procedural scene or loads a glTF file.
 /// @param nameOrPath a name of recipes() or a path that ends in .gltf or .glb (in any case)

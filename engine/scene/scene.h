@@ -113,12 +113,15 @@ inline constexpr int kMostShadowTaps = 15;
 inline constexpr int kMostOcclusionSamples = 256;
 /// Materials with veins that a scene may have: their colours stand in a uniform buffer.
 inline constexpr int kMostVeins = 8;
+/// Lights that a frame is lit by, out of as many as a scene has: see light_choice.h.
+inline constexpr int kMostLights = 32;
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
 
 /// KHR_lights_punctual, already in world space.
 struct Light {
   LightType type = LightType::Directional;
+  std::string name = {};                   ///< for messages; may be empty
   glm::vec3 color{1.0F};                   ///< linear RGB
   float intensity = 1.0F;                  ///< lux (directional) or candela (point, spot)
   glm::vec3 position{0.0F};                ///< point and spot

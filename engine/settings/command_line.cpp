@@ -166,6 +166,18 @@ void applyOptions(const CLI::App& app, Registry& registry) {
       found->second->setText(text, found->second->option());
     }
   }
+  registry.checkRivals();
+}
+
+CLI::Validator shareIn(const Range& range) {
+  const auto refusal = [range](const std::string& text) {
+    const std::optional<double> number = parseReal(text);
+    if (number && range.holds(*number)) return std::string();
+    return fmt::format("'{}' is no share {}{}", oneLine(text.substr(0, kShownCharacters)),
+                       range.text(), shareHint(text, range));
+  };
+  return {[refusal](std::string& text) { return refusal(text); },
+          fmt::format("FLOAT in [{} - {}]", range.min, range.max)};
 }
 
 bool parseCommandLine(CLI::App& root, std::vector<std::string> arguments) {

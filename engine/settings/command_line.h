@@ -19,8 +19,13 @@ namespace macula::settings {
 void addOptions(CLI::App& app, const Registry& registry);
 
 /// After parsing: reads the TOML files and sets what the command line says.
-/// @throws InputError for unknown settings, refused values and files that cannot be read.
+/// @throws InputError for unknown settings, refused values, files that cannot be read, and rivals
+///   that were both given (Registry::checkRivals()).
 void applyOptions(const CLI::App& app, Registry& registry);
+
+/// The check of an option that is a share of a whole, for CLI::Option::check(): a percentage is
+/// refused with the number to write.
+[[nodiscard]] CLI::Validator shareIn(const Range& range);
 
 /// Parses a command line; callbacks of the command that was named run inside.
 /// @param arguments without the program's name

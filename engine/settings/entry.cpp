@@ -63,7 +63,7 @@ std::string Entry::allowed() const {
   const auto with = [&](const char* noun) { return bounds.empty() ? noun : noun + (" " + bounds); };
   switch (type()) {
     case Type::Bool:
-      return "on or off (true/false, 1/0)";
+      return std::string(kBoolForm);
     case Type::Int:
       return with("a whole number");
     case Type::Real:
@@ -135,8 +135,8 @@ Entry::Checked Entry::checkText(const Value& value) const {
 Entry::Checked Entry::check(const Value& value) const {
   switch (type()) {
     case Type::Bool:
-      if (!std::holds_alternative<bool>(value)) return {.refusal = "is neither on nor off"};
-      return {.value = value};
+      if (const auto flag = toBool(value)) return {.value = *flag};
+      return {.refusal = "is neither on nor off"};
     case Type::Int:
       return checkInt(value);
     case Type::Real:
@@ -153,9 +153,6 @@ Entry::Checked Entry::check(const Value& value) const {
 
 Entry::Checked Entry::parse(std::string_view text) const {
   switch (type()) {
-    case Type::Bool:
-      if (const auto flag = parseBool(text)) return check(*flag);
-      return {.refusal = "is neither on nor off"};
     case Type::Int:
       if (const auto number = parseInt(text)) return check(*number);
       return {.refusal = "is not a whole number"};
@@ -165,6 +162,7 @@ Entry::Checked Entry::parse(std::string_view text) const {
     case Type::Colour:
       if (const auto colour = parseColour(text)) return check(*colour);
       return {.refusal = "is not three finite numbers"};
+    case Type::Bool:
     case Type::Choice:
     case Type::Text:
     case Type::Path:
@@ -173,13 +171,20 @@ Entry::Checked Entry::parse(std::string_view text) const {
   return check(std::string(text));
 }
 
+void Entry::reset() {
+  binding_.set(default_);
+  setAt_.clear();
+}
+
 void Entry::assign(const Checked& checked, std::string_view shown, std::string_view where) {
   if (!checked.refusal.empty()) {
-    failInput("{}: '{}{}' {}; {} takes {}{}", where, shown.substr(0, kShownCharacters),
+    failInput("{}: '{}{}' {}; {} takes {}{}{}", where, shown.substr(0, kShownCharacters),
               shown.size() > kShownCharacters ? "..." : "", checked.refusal, key(), allowed(),
-              unit().empty() ? "" : " (" + unit() + ")");
+              unit().empty() ? "" : " (" + unit() + ")",
+              description_.share ? shareHint(shown, range_) : "");
   }
   binding_.set(checked.value);
+  setAt_ = where;
 }
 
 void Entry::set(const Value& value, std::string_view where) {

@@ -17,6 +17,7 @@ struct Description {
   std::string unit = {};   ///< "fragments/pixel"; empty for pure numbers
   std::string help = {};   ///< one line
   std::string group = {};  ///< heading of panel and help; empty: the part of the key before its dot
+  bool share = false;      ///< a share of a whole: percentages are refused with the number to write
 };
 
 /// A registered setting. Panels and help read it; every way of setting it goes through set() or
@@ -44,9 +45,12 @@ class Entry {
 
   [[nodiscard]] Value get() const { return binding_.get(); }
   [[nodiscard]] bool isDefault() const { return get() == default_; }
-  void reset() { binding_.set(default_); }
+  void reset();
+  /// Where it was set last, as the message of a refusal would begin; empty: nowhere, or reset().
+  [[nodiscard]] const std::string& setAt() const { return setAt_; }
 
-  /// Checks and sets. A whole number is taken for a Real; otherwise the alternative must be right.
+  /// Checks and sets. A whole number is taken for a Real, and what toBool() takes for a Bool;
+  /// otherwise the alternative must be right.
   /// @param where begins the message: an option, a key, or a file and line
   /// @throws InputError naming the setting, the value and what is allowed.
   void set(const Value& value, std::string_view where);
@@ -75,6 +79,7 @@ class Entry {
   Range range_;
   std::vector<std::string> choices_;
   Value default_;
+  std::string setAt_;
 };
 
 }  // namespace macula::settings

@@ -124,6 +124,39 @@ void Registry::setAssignment(std::string_view assignment, std::string_view where
   setText(name, assignment.substr(equals + 1), std::string(where) + " " + std::string(shown));
 }
 
+void Registry::addRivals(std::string_view standing, std::string_view overriding) {
+  Entry* first = find(standing);
+  Entry* second = find(overriding);
+  if (first == nullptr || second == nullptr) throw std::logic_error("rivals are not registered");
+  rivals_.push_back({first, second});
+}
+
+void Registry::checkRivals() const {
+  // "x.toml:3: oit.kAve" is dropped as "oit.kAve".
+  const auto nameIn = [](const std::string& place) {
+    const std::size_t colon = place.rfind(": ");
+    return colon == std::string::npos ? place : place.substr(colon + 2);
+  };
+  const auto held = [](const Entry& entry) {
+    return formatValue(entry.get()) + " " + entry.unit();
+  };
+  for (const auto& [standing, overriding] : rivals_) {
+    const std::string& first = standing->setAt();
+    const std::string& second = overriding->setAt();
+    if (first.empty() || second.empty() || overriding->isDefault()) continue;
+    failInput("{} and {} cannot hold together; drop {} to keep {}, or {} to keep {}", first, second,
+              nameIn(first), held(*overriding), nameIn(second), held(*standing));
+  }
+}
+
+Entry* Registry::rivalOf(const Entry& entry) {
+  for (const auto& [standing, overriding] : rivals_) {
+    if (&entry == standing && !overriding->isDefault()) return overriding;
+    if (&entry == overriding && !entry.isDefault() && !standing->isDefault()) return standing;
+  }
+  return nullptr;
+}
+
 void Registry::reset() {
   for (Entry& entry : entries_) entry.reset();
 }

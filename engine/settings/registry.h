@@ -46,6 +46,17 @@ class Registry {
   /// A number that is one of `numbers`, for example 1, 2 or 4 samples.
   Entry& addNumberChoice(Description description, int& field, const std::vector<int>& numbers);
 
+  /// Two registered settings that say the same thing in different terms, so that a user gives one.
+  /// @param standing holds where the other is left alone
+  /// @param overriding wins where it is not its default
+  void addRivals(std::string_view standing, std::string_view overriding);
+  /// @throws InputError naming the places where both of two rivals were given, and what remains
+  ///   where either is dropped
+  void checkRivals() const;
+  /// The rival that would hide a setting's present value, or be hidden by it: null where there is
+  /// none, or it is its default.
+  [[nodiscard]] Entry* rivalOf(const Entry& entry);
+
   /// In the order of registration. References to entries stay valid.
   [[nodiscard]] std::deque<Entry>& entries() { return entries_; }
   [[nodiscard]] const std::deque<Entry>& entries() const { return entries_; }
@@ -75,7 +86,13 @@ class Registry {
   Entry& insertIndexed(Description description, std::function<std::size_t()> get,
                        std::function<void(std::size_t)> set, std::vector<std::string> choices);
 
+  struct Rivals {
+    Entry* standing;
+    Entry* overriding;
+  };
+
   std::deque<Entry> entries_;
+  std::vector<Rivals> rivals_;
 };
 
 }  // namespace macula::settings

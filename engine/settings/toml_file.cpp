@@ -2,6 +2,8 @@
 
 #include "engine/settings/toml_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 #include <string>
@@ -90,6 +92,41 @@ class Applier {
   std::set<const Entry*> seen_;
 };
 
+std::string_view lineOf(std::string_view text, toml::source_index number) {
+  for (; number > 1; --number) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// How a value that is a bare word is to be written: on a command line words need no quotes.
+/// @param column of the parser's complaint, from 1: in the value, behind its equals sign
+std::string hintOf(std::string_view line, std::size_t column) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t equals = line.substr(0, column - 1).rfind('=');
+  if (equals == std::string_view::npos) return {};
+  std::string_view word = line.substr(equals + 1);
+  word = word.substr(0, word.find_first_of(",#}]"));
+  const std::size_t first = word.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos ||
+      std::isalpha(static_cast<unsigned char>(word[first])) == 0) {
+    return {};
+  }
+  word = word.substr(first, word.find_last_not_of(kBlanks) + 1 - first);
+  std::string plain(word);
+  std::transform(plain.begin(), plain.end(), plain.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (plain == "yes") plain = "on";
+  if (plain == "no") plain = "off";
+  if (const auto flag = parseBool(plain)) return fmt::format("; write {}", *flag);
+  constexpr std::size_t kShownCharacters = 40;
+  const bool isWord =
+      word.size() <= kShownCharacters && word.find_first_of("\"'= \t") == std::string_view::npos;
+  return isWord ? fmt::format("; text stands in quotes, \"{}\"", word) : "";
+}
+
 }  // namespace
 
 toml::table parseToml(std::string_view text, std::string_view name) {
@@ -102,7 +139,8 @@ toml::table parseToml(std::string_view text, std::string_view name) {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
-    failInput("{}:{}:{}: {}", name, at.line, at.column, error.description());
+    failInput("{}:{}:{}: {}{}", name, at.line, at.column, error.description(),
+              hintOf(lineOf(text, at.line), at.column));
   }
 }
 

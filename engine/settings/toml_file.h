@@ -15,8 +15,9 @@ namespace macula::settings {
 [[nodiscard]] toml::table parseToml(std::string_view text, std::string_view name);
 
 /// Sets every value of a table, to any depth: `[oit] kAve = 4`, `oit.kAve = 4` and the alias
-/// `k-ave = 4` mean the same. Numbers, booleans and text must have their TOML type; a colour is
-/// "R,G,B" or [R, G, B]. A path is taken as written, not relative to the file.
+/// `k-ave = 4` mean the same. Numbers and text must have their TOML type; a boolean may also be 1,
+/// 0 or a word of the command line in quotes, "on"; a colour is "R,G,B" or [R, G, B]. A path is
+/// taken as written, not relative to the file.
 /// @throws InputError "name:line: ..." for an unknown setting, a refused value, or a setting that
 /// stands twice; what came before it in the table has then been set.
 void applyTable(Registry& registry, const toml::table& table, std::string_view name);

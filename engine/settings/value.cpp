@@ -57,6 +57,14 @@ std::optional<bool> parseBool(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<bool> toBool(const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* text = std::get_if<std::string>(&value)) return parseBool(*text);
+  const auto* number = std::get_if<std::int64_t>(&value);
+  if (number == nullptr || *number < 0 || *number > 1) return std::nullopt;
+  return *number == 1;
+}
+
 std::optional<std::int64_t> parseInt(std::string_view text) {
   return parseWhole<std::int64_t>(text);
 }
@@ -78,6 +86,17 @@ std::optional<glm::vec3> parseColour(std::string_view text) {
     if (i < 2) text.remove_prefix(comma + 1);
   }
   return colour;
+}
+
+std::string shareHint(std::string_view text, const Range& range) {
+  constexpr double kPercent = 100.0;
+  constexpr double kLeastPlain = 2.0;  // what is less, without a sign, is rather too large a share
+  const std::size_t last = text.find_last_not_of(" \t");
+  const bool hasSign = last != std::string_view::npos && text[last] == '%';
+  const std::optional<double> percent = parseReal(hasSign ? text.substr(0, last) : text);
+  if (!percent || !range.holds(*percent / kPercent)) return {};
+  if (!hasSign && std::abs(*percent) < kLeastPlain) return {};
+  return fmt::format("; write {:g} for {:g} %", *percent / kPercent, *percent);
 }
 
 std::string formatValue(const Value& value) {

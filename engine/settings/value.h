@@ -32,12 +32,22 @@ struct Range {
 
 /// true/false/on/off/1/0, nothing else.
 [[nodiscard]] std::optional<bool> parseBool(std::string_view text);
+/// The same of a value that a file holds: a boolean, one of these texts, or the number 1 or 0.
+[[nodiscard]] std::optional<bool> toBool(const Value& value);
+/// How a boolean is written, on a command line and in a file alike, for messages.
+inline constexpr std::string_view kBoolForm = "true or false, \"on\" or \"off\", 1 or 0";
 /// A whole decimal number of 64 bits with an optional sign; blanks around it are allowed.
 [[nodiscard]] std::optional<std::int64_t> parseInt(std::string_view text);
 /// A finite decimal number; blanks around it are allowed.
 [[nodiscard]] std::optional<double> parseReal(std::string_view text);
 /// Three finite numbers with commas between them.
 [[nodiscard]] std::optional<glm::vec3> parseColour(std::string_view text);
+
+/// How a share that was written as a percentage is to be written, to be put behind a message:
+/// "; write 0.9 for 90 %". Empty where a hundredth of the text, which may end with %, is no such
+/// share either.
+/// @param range of the share
+[[nodiscard]] std::string shareHint(std::string_view text, const Range& range);
 
 /// The text that the parsers above read back as the same value: "on", "4", "0.35", "0,0.5,1".
 [[nodiscard]] std::string formatValue(const Value& value);

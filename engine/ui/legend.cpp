@@ -1,6 +1,5 @@
 #include "engine/ui/legend.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
@@ -46,12 +45,13 @@ void drawLegend(const Legend& legend) {
     ImGui::SetCursorPosX(left + share * (width - textWidth));
     ImGui::TextUnformatted(text.c_str());
   };
-  label(0.0F, "0");
+  const image::LegendLabels labels = image::labelsOf(legend);
+  label(0.0F, labels.low);
   ImGui::SameLine();
-  label(0.5F, fmt::format("{:.4g}", 0.5 * legend.maximum));
+  label(0.5F, labels.middle);
   ImGui::SameLine();
-  label(1.0F, fmt::format("{}{:.4g}", legend.mayExceed ? ">= " : "", legend.maximum));
-  ImGui::TextDisabled("grey: %s", legend.grey.c_str());
+  label(1.0F, labels.high);
+  if (!legend.grey.empty()) ImGui::TextDisabled("grey: %s", legend.grey.c_str());
 }
 
 }  // namespace macula::ui

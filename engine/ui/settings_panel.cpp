@@ -74,7 +74,13 @@ void SettingsPanel::tryToSet(Entry& entry, Setter&& setter) {
     return;
   }
   refusal_.clear();
-  if (entry.get() != before) change_ = SettingChange{&entry, before};
+  if (entry.get() == before) return;
+  change_ = SettingChange{&entry, before};
+  if (Entry* rival = registry_.rivalOf(entry)) {
+    change_->rival = rival;
+    change_->rivalBefore = rival->get();
+    rival->reset();
+  }
 }
 
 void SettingsPanel::change(Entry& entry, const Value& value) {
@@ -167,6 +173,17 @@ void SettingsPanel::chooseNext(const std::string& key) {
   if (!cycle.advance()) return;
   refusal_.clear();
   change_ = cycle;
+}
+
+void SettingChange::undo() const {
+  entry->set(before);
+  if (rival != nullptr) rival->set(rivalBefore);
+}
+
+std::string SettingChange::rivalNote() const {
+  if (rival == nullptr) return {};
+  return rival->key() + " is " + settings::formatValue(rival->get()) + " again: " + entry->key() +
+         " holds in its place";
 }
 
 bool SettingChange::advance() const {

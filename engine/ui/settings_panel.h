@@ -19,7 +19,13 @@ struct SettingChange {
   settings::Entry* entry = nullptr;
   settings::Value before;
   bool cycled = false;  ///< by chooseNext(): any further choice will do as well
-  void undo() const { entry->set(before); }
+  /// The rival (settings::Registry::addRivals()) that went back to its default, so that the change
+  /// takes effect; null: none had to.
+  settings::Entry* rival = nullptr;
+  settings::Value rivalBefore = false;
+  void undo() const;
+  /// "oit.memoryMiB is 0 again: oit.kAve holds in its place"; empty without a rival.
+  [[nodiscard]] std::string rivalNote() const;
   /// Where the present choice cannot be used: sets the one after it.
   /// @returns false where all were tried; the setting is then what it was before
   [[nodiscard]] bool advance() const;

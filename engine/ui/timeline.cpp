@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/ui/widgets.h"
+
 namespace macula::ui {
 namespace {
 
@@ -97,16 +99,6 @@ const Timeline::Frame& Timeline::frameAt(std::size_t age) const {
   return frames_[(next_ + kHistory - 1 - age) % kHistory];
 }
 
-double Timeline::medianMs() const {
-  if (count_ == 0) return 0.0;
-  std::array<float, kHistory> sorted{};
-  for (std::size_t age = 0; age < count_; ++age) sorted[age] = frameAt(age).totalMs;
-  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
-  std::nth_element(sorted.begin(), middle, end);
-  return static_cast<double>(*middle);
-}
-
 void Timeline::draw() const {
   drawTimes();
   drawLayers();
@@ -114,13 +106,10 @@ void Timeline::draw() const {
 }
 
 void Timeline::drawTimes() const {
-  constexpr double kMsPerSecond = 1000.0;
-  const double median = medianMs();
   float longest = 0.0F;
   for (std::size_t age = 0; age < count_; ++age) {
     longest = std::max(longest, frameAt(age).totalMs);
   }
-  ImGui::Text("median %.1f ms, %.3g a second", median, median > 0.0 ? kMsPerSecond / median : 0.0);
   const PlotArea area("##times", kTimesLines);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float column = area.size.x / static_cast<float>(kHistory);
@@ -156,7 +145,8 @@ void Timeline::drawTimes() const {
 
 void Timeline::drawTooltip(const Frame& frame, std::size_t age) const {
   ImGui::BeginTooltip();
-  ImGui::Text("%d frames ago: %.2f ms", static_cast<int>(age), static_cast<double>(frame.totalMs));
+  ImGui::Text("%s ago: %.2f ms", numberOf(age, "frame").c_str(),
+              static_cast<double>(frame.totalMs));
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     if (frame.ms[pass] <= 0.0F) continue;
     swatch(colorOf(pass));

@@ -33,9 +33,6 @@ class Timeline {
   /// Draws the plots and the table of passes into the current window, over its width.
   void draw() const;
 
-  /// Over the frames of the plot; 0 before the first.
-  [[nodiscard]] double medianMs() const;
-
  private:
   /// Frames in the plot: four seconds at 60 frames a second.
   static constexpr std::size_t kHistory = 240;

@@ -8,7 +8,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <iterator>
 
 #include "engine/gl/gl.h"
 
@@ -52,7 +54,7 @@ float pixelsPerCoordinate(GLFWwindow* window) {
 
 }  // namespace
 
-UiContext::UiContext(GLFWwindow* window, float scale) {
+UiContext::UiContext(GLFWwindow* window, float scale) : window_(window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -67,7 +69,8 @@ UiContext::UiContext(GLFWwindow* window, float scale) {
   applyStyle(scale / pixels);
   addFont(scale);
   ImGui::GetIO().FontGlobalScale = 1.0F / pixels;
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  // Events come through beginFrame(): the backend's own callbacks would keep only the last state.
+  ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -77,10 +80,59 @@ UiContext::~UiContext() {
   ImGui::DestroyContext();
 }
 
-void UiContext::beginFrame() {
+void UiContext::feed(const window::InputEvent& event) {
+  using Kind = window::InputEvent::Kind;
+  ImGuiIO& io = ImGui::GetIO();
+  switch (event.kind) {
+    case Kind::Key:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                 event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+      break;
+    case Kind::Text:
+      break;
+    case Kind::Button:
+      if (event.code >= 0 && static_cast<std::size_t>(event.code) < kButtons) {
+        buttons_[static_cast<std::size_t>(event.code)] = event.down;
+      }
+      break;
+    case Kind::Pointer:
+      pointer_ = event.place;
+      break;
+    case Kind::Wheel:
+      ImGui_ImplGlfw_ScrollCallback(window_, event.place.x, event.place.y);
+      break;
+    case Kind::Enter:
+      ImGui_ImplGlfw_CursorEnterCallback(window_, event.down ? GLFW_TRUE : GLFW_FALSE);
+      if (!event.down) pointer_.reset();
+      break;
+    case Kind::Focus:
+      ImGui_ImplGlfw_WindowFocusCallback(window_, event.down ? GLFW_TRUE : GLFW_FALSE);
+      break;
+  }
+  for (const char32_t character : event.text) io.AddInputCharacter(character);
+}
+
+void UiContext::beginFrame(const window::InputEvent* event) {
+  if (event != nullptr) feed(*event);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  ImGuiIO& io = ImGui::GetIO();
+  // The backend has asked for the pointer as it is now; the event's place and buttons are those of
+  // its own time.
+  static_assert(sizeof(io.MouseDown) == sizeof(buttons_));
+  std::copy(buttons_.begin(), buttons_.end(), std::begin(io.MouseDown));
+  const bool known = io.MousePos.x > -FLT_MAX;
+  if (known && pointer_) {
+    io.MousePos = {static_cast<float>(pointer_->x), static_cast<float>(pointer_->y)};
+  }
+  // Dear ImGui asserts that time has passed, which a coarse clock does not show.
+  constexpr float kLeastSeconds = 1e-6F;
+  io.DeltaTime = std::max(io.DeltaTime, kLeastSeconds);
   ImGui::NewFrame();
+}
+
+void UiContext::skipFrame() {
+  ImGui::EndFrame();
 }
 
 void UiContext::endFrame() {
@@ -96,6 +148,9 @@ bool UiContext::wantsPointer() const {
 }
 bool UiContext::wantsKeyboard() const {
   return ImGui::GetIO().WantTextInput;
+}
+void UiContext::dropText() {
+  ImGui::GetIO().ClearInputCharacters();
 }
 void UiContext::leaveField() {
   ImGui::ClearActiveID();

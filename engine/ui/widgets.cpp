@@ -4,7 +4,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <cmath>
 #include <cstddef>
+
+#include "engine/core/plural.h"
 
 namespace macula::ui {
 namespace {
@@ -81,6 +84,17 @@ std::optional<std::size_t> chips(std::span<const std::string_view> names,
   return pressed;
 }
 
+void pictureLabel(std::string_view text, glm::vec2 place, float anchor) {
+  const char* end = text.data() + text.size();
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), end);
+  const float pad = 0.3F * ImGui::GetFontSize();
+  const float left = std::floor(place.x - anchor * (size.x + 2.0F * pad)) + pad;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled({left - pad, place.y}, {left + size.x + pad, place.y + size.y + 2.0F * pad},
+                      IM_COL32(10, 12, 16, 190), pad);
+  list->AddText({left, place.y + pad}, IM_COL32(255, 255, 255, 255), text.data(), end);
+}
+
 void bringToFront() {
   // The public way, SetWindowFocus(), would take the keyboard from a field that is being typed in.
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
@@ -98,6 +112,10 @@ std::string countText(unsigned long long count) {
     text.insert(static_cast<std::size_t>(at), 1, ' ');
   }
   return text;
+}
+
+std::string numberOf(unsigned long long count, std::string_view thing) {
+  return fmt::format("{} {}", countText(count), nounFor(count, thing));
 }
 
 }  // namespace macula::ui

@@ -1,6 +1,7 @@
 // Small pieces that panels share.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,11 @@ void note(std::string_view text, Tone tone = Tone::Quiet);
 /// A button that stays in the line of the one before where there is room for it.
 [[nodiscard]] bool flowButton(const std::string& label, bool first);
 
+/// A line over the picture, behind the panels.
+/// @param place where it stands, in the UI's coordinates, its top edge there
+/// @param anchor which part of its width stands there: 0 left edge, 0.5 middle, 1 right edge
+void pictureLabel(std::string_view text, glm::vec2 place, float anchor);
+
 /// Draws the current window over all others, without giving it the keyboard.
 void bringToFront();
 
@@ -33,5 +39,7 @@ void bringToFront();
 [[nodiscard]] std::string bytesText(unsigned long long bytes);
 /// Digits in groups of three.
 [[nodiscard]] std::string countText(unsigned long long count);
+/// "1 frame", "2 frames", "1 200 frames"
+[[nodiscard]] std::string numberOf(unsigned long long count, std::string_view thing);
 
 }  // namespace macula::ui

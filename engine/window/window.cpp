@@ -44,17 +44,49 @@ Window::Window(const Settings& settings) {
   glfwSetWindowSizeLimits(window_, settings.leastWidth, settings.leastHeight, GLFW_DONT_CARE,
                           GLFW_DONT_CARE);
   glfwSetWindowUserPointer(window_, this);
+  listen();
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(settings.vsync ? 1 : 0);
+}
+
+void Window::listen() {
+  using Kind = InputEvent::Kind;
+  static constexpr auto inputOf = [](GLFWwindow* handle) -> InputQueue& {
+    return static_cast<Window*>(glfwGetWindowUserPointer(handle))->input_;
+  };
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
     const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
     if (self->drop_) self->drop_({paths, paths + count});
   });
-  // Whoever sets a callback later has to pass presses on, as Dear ImGui does.
-  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
-    const auto* self = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
-    if (action == GLFW_PRESS && self->key_) self->key_(key, modifiers);
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int modifiers) {
+    if (action == GLFW_REPEAT) return;  // of interest for text alone, which comes by itself
+    inputOf(handle).push({.kind = Kind::Key,
+                          .code = key,
+                          .scancode = code,
+                          .modifiers = modifiers,
+                          .down = action == GLFW_PRESS});
   });
-  glfwMakeContextCurrent(window_);
-  glfwSwapInterval(settings.vsync ? 1 : 0);
+  glfwSetCharCallback(
+      window_, [](GLFWwindow* handle, unsigned int character) { inputOf(handle).type(character); });
+  glfwSetMouseButtonCallback(window_,
+                             [](GLFWwindow* handle, int button, int action, int modifiers) {
+                               inputOf(handle).push({.kind = Kind::Button,
+                                                     .code = button,
+                                                     .modifiers = modifiers,
+                                                     .down = action == GLFW_PRESS});
+                             });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double x, double y) {
+    inputOf(handle).push({.kind = Kind::Pointer, .place = {x, y}});
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* handle, double x, double y) {
+    inputOf(handle).push({.kind = Kind::Wheel, .place = {x, y}});
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* handle, int entered) {
+    inputOf(handle).push({.kind = Kind::Enter, .down = entered == GLFW_TRUE});
+  });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* handle, int focused) {
+    inputOf(handle).push({.kind = Kind::Focus, .down = focused == GLFW_TRUE});
+  });
 }
 
 Window::~Window() {
@@ -134,14 +166,6 @@ Window::Placement Window::placement(int monitor) const {
     }
   }
   return placement;
-}
-
-bool Window::keyDown(int glfwKey) const {
-  return glfwGetKey(window_, glfwKey) == GLFW_PRESS;
-}
-
-bool Window::mouseDown(int glfwButton) const {
-  return glfwGetMouseButton(window_, glfwButton) == GLFW_PRESS;
 }
 
 bool displayAvailable() {

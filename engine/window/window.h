@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/window/input_queue.h"
+
 struct GLFWwindow;
 
 namespace macula::window {
@@ -38,11 +40,9 @@ class Window {
   /// Waits for an event, but no longer than this; then as pollEvents().
   void waitEvents(double seconds);
   void setTitle(const std::string& title);
-  /// Takes a key of GLFW that went down, and the GLFW_MOD_ bits that were held.
-  using KeyHandler = std::function<void(int key, int modifiers)>;
-  /// Called from pollEvents() and waitEvents(), for every press: a key that is down for less than
-  /// a frame counts too.
-  void onKey(KeyHandler handler) { key_ = std::move(handler); }
+  /// What the user did until the last pollEvents() or waitEvents().
+  [[nodiscard]] InputQueue& input() { return input_; }
+  [[nodiscard]] const InputQueue& input() const { return input_; }
   /// Called from pollEvents() and waitEvents().
   void onDrop(DropHandler handler) { drop_ = std::move(handler); }
   void hide();
@@ -63,13 +63,13 @@ class Window {
   ///   are fewer. Where the window system tells no positions (Wayland), the window counts as at the
   ///   origin.
   [[nodiscard]] Placement placement(int monitor) const;
-  [[nodiscard]] bool keyDown(int glfwKey) const;
-  [[nodiscard]] bool mouseDown(int glfwButton) const;
 
  private:
+  void listen();
+
   GLFWwindow* window_ = nullptr;
   DropHandler drop_;
-  KeyHandler key_;
+  InputQueue input_;
 };
 
 /// Whether a display can be opened (X11 or Wayland).

@@ -56,9 +56,11 @@ void registerSettings(settings::Registry& registry, LodSettings& s) {
   registry.add({.key = "lod.sigmaNormal",
                 .help = "sigma_n of Yang 2008, Eq. 1, of normals divided by their z"},
                s.sigmaNormal, {.min = 1e-6, .max = 1e6});
-  registry.add(
-      {.key = "lod.sigmaDepth", .unit = "of the depth", .help = "sigma_z of Yang 2008, Eq. 1"},
-      s.sigmaDepth, {.min = 1e-6, .max = 1e6});
+  registry.add({.key = "lod.sigmaDepth",
+                .unit = "of the depth",
+                .help = "sigma_z of Yang 2008, Eq. 1",
+                .share = true},
+               s.sigmaDepth, {.min = 1e-6, .max = 1e6});
   registry.add({.key = "lod.transparency", .help = "transparent surfaces are drawn at 1/r, too"},
                s.transparency);
 }

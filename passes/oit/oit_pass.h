@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "engine/core/plural.h"
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
 #include "passes/oit/plan.h"
@@ -29,7 +30,7 @@ class OitPass : public frame::Pass {
   [[nodiscard]] std::string reason(const frame::FrameInputs& in) const final {
     if (in.facts.transparentTriangles == 0) return "nothing transparent";
     if (!wanted()) return fmt::format("{} does not use it", plan_.method->id);
-    return fmt::format("{} transparent triangles by {}", in.facts.transparentTriangles,
+    return fmt::format("{} by {}", counted(in.facts.transparentTriangles, "transparent triangle"),
                        plan_.method->id);
   }
   void declare(frame::PassDeclaration& d) const final {

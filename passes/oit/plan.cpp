@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "shared/oit_constants.h"
 
 namespace macula::passes {
@@ -28,9 +29,9 @@ void planConstant(OitPlan& plan, std::uint64_t samples, double bytes) {
   const double least = plan.tailInSlot() ? plan.tailSlots() : 1.0;
   if (layers < least || layers * static_cast<double>(samples) > kMostSlots) {
     failInput(
-        "the transparency budget gives each of {} samples {:.2f} bytes, which {} cannot cut into "
+        "the transparency budget gives each of {} {:.2f} bytes, which {} cannot cut into "
         "equal layers of {} bytes{}; change --k-ave or --oit-memory",
-        samples, perSample, plan.method->id, plan.fragmentBytes(),
+        counted(samples, "sample"), perSample, plan.method->id, plan.fragmentBytes(),
         plan.denseTail()    ? " beside its tail of 16"
         : plan.tailInSlot() ? ", 16 bytes of them for its tail"
                             : "");

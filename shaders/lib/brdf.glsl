@@ -27,6 +27,13 @@ vec3 fresnelSchlick(vec3 f0, float vDotH) {
   return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
+/// Derivative of fresnelSchlick() by f0.
+float fresnelSlope(float vDotH) {
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return 1.0 - x2 * x2 * x;
+}
+
 /// GGX distribution times height-correlated Smith visibility (appendix B.3.2; Heitz 2014).
 float specularGgx(float alpha, float nDotH, float nDotL, float nDotV) {
   float a2 = alpha * alpha;
@@ -37,12 +44,11 @@ float specularGgx(float alpha, float nDotH, float nDotL, float nDotV) {
 }
 
 /// Directional albedo of the specular lobe, fitted (Karis 2014, "Physically Based Shading on
-/// Mobile").
-vec3 environmentBrdf(vec3 f0, float roughness, float nDotV) {
+/// Mobile"): x times the reflectance at normal incidence, plus y.
+vec2 environmentBrdf(float roughness, float nDotV) {
   const vec4 c0 = vec4(-1.0, -0.0275, -0.572, 0.022);
   const vec4 c1 = vec4(1.0, 0.0425, 1.04, -0.04);
   vec4 r = roughness * c0 + c1;
   float a004 = min(r.x * r.x, exp2(-9.28 * nDotV)) * r.x + r.y;
-  vec2 ab = vec2(-1.04, 1.04) * a004 + r.zw;
-  return f0 * ab.x + ab.y;
+  return vec2(-1.04, 1.04) * a004 + r.zw;
 }

@@ -41,8 +41,7 @@ void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
 #endif
   if (isFront) {
     // The geometric normal: one of a normal map would make the importance speckle.
-    vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
-    imageStore(frontNormal, p, vec4(n * facing(materials[inIds.x]), 1.0));
+    imageStore(frontNormal, p, vec4(geometricNormalAt(materials[inIds.x]), 1.0));
   }
 #endif
 }

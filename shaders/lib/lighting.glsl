@@ -1,5 +1,6 @@
 // Light that leaves a surface point towards the eye. The one set of functions for opaque and
 // transparent surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound.
+// DEMODULATE: what is proportional to the base colour comes out apart, too.
 #include "lib/brdf.glsl"
 #include "lib/surface.glsl"
 #include "shared/bindings.h"
@@ -20,6 +21,8 @@ layout(binding = TEX_ENVIRONMENT) uniform sampler2D environmentMap;
 
 /// Percentage-closer filtering (Reeves et al. 1987) over SHADOW_TAPS x SHADOW_TAPS bilinear
 /// comparisons.
+/// @param normal the geometric one: along that of a normal map the receiver might stay within reach
+/// of its own surface
 float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
   float texel = 1.0 / float(textureSize(shadowMap, 0).x);
   // Moving the receiver along its normal by some texels of the map hides self-shadowing; more at
@@ -39,14 +42,16 @@ float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
 }
 #endif
 
-/// Share of the shadow-casting light that arrives; 1 where the surface faces away from it.
-float shadowAt(vec3 position, vec3 normal) {
+/// Share of the shadow-casting light that arrives; 1 where the surface faces away from it, normal
+/// map or not.
+float shadowAt(SurfacePoint s) {
 #ifdef SHADOWS
   int count = int(lights.ambient.w);
   for (int i = 0; i < count; ++i) {
     if (lights.lights[i].color.w == 0.0) continue;
     vec3 l = -lights.lights[i].direction.xyz;
-    return dot(normal, l) > 0.0 ? shadowFactor(position, normal, l) : 1.0;
+    bool faces = max(dot(s.normal, l), dot(s.geometricNormal, l)) > 0.0;
+    return faces ? shadowFactor(s.position, s.geometricNormal, l) : 1.0;
   }
 #endif
   return 1.0;
@@ -86,12 +91,12 @@ float lightTowards(LightData light, vec3 position, out vec3 l) {
   uint type = uint(light.position.w);
   if (type == LIGHT_DIRECTIONAL) return 1.0;
   vec3 d = light.position.xyz - position;
-  float d2 = max(dot(d, d), 1e-4);  // a light on the surface: 1 cm away at the least
+  float d2 = max(dot(d, d), lights.shadow.y);  // for a light on the surface
   l = d * inversesqrt(d2);
   // KHR_lights_punctual, "Range Property".
   float range = light.direction.w;
-  float q = d2 / max(range * range, 1e-8);
-  float attenuation = (range > 0.0 ? clamp(1.0 - q * q, 0.0, 1.0) : 1.0) / d2;
+  float q = range > 0.0 ? d2 / (range * range) : 0.0;
+  float attenuation = clamp(1.0 - q * q, 0.0, 1.0) / d2;
   if (type != LIGHT_SPOT) return attenuation;
   float a = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
   return attenuation * a * a;
@@ -113,6 +118,9 @@ vec3 irradianceAt(vec3 position, vec3 normal) {
 struct Radiance {
   vec3 diffuse;
   vec3 specular;
+#ifdef DEMODULATE
+  vec3 perColor;  // of both what is proportional to the base colour, over that colour
+#endif
 };
 
 /// @param shadow see shadowAt()
@@ -120,7 +128,12 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
   Reflection r = reflectionOf(s.baseColor, s.metallic, s.roughness);
   vec3 v = normalize(eye - s.position);
   float nDotV = max(dot(s.normal, v), 1e-4);  // normal maps can turn away from the eye
-  Radiance sum = Radiance(vec3(0.0), vec3(0.0));
+  Radiance sum;
+  sum.diffuse = vec3(0.0);
+  sum.specular = vec3(0.0);
+#ifdef DEMODULATE
+  sum.perColor = vec3(0.0);
+#endif
   int count = int(lights.ambient.w);
   for (int i = 0; i < count; ++i) {
     LightData light = lights.lights[i];
@@ -132,20 +145,31 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
     vec3 h = normalize(l + v);
     vec3 f = fresnelSchlick(r.f0, max(dot(v, h), 0.0));
     vec3 incoming = light.color.rgb * (attenuation * nDotL);
+    float lobe = specularGgx(r.alpha, max(dot(s.normal, h), 0.0), nDotL, nDotV);
     sum.diffuse += incoming * (1.0 - f) * r.diffuse / kPi;
-    sum.specular += incoming * f * specularGgx(r.alpha, max(dot(s.normal, h), 0.0), nDotL, nDotV);
+    sum.specular += incoming * f * lobe;
+#ifdef DEMODULATE
+    float slope = fresnelSlope(max(dot(v, h), 0.0));
+    sum.perColor += incoming * ((1.0 - f) * ((1.0 - s.metallic) / kPi) + slope * s.metallic * lobe);
+#endif
   }
-  vec3 reflected = environmentBrdf(r.f0, s.roughness, nDotV);
+  vec2 albedo = environmentBrdf(s.roughness, nDotV);
+  vec3 reflected = r.f0 * albedo.x + albedo.y;
 #ifdef ENVIRONMENT
   vec3 mirror = environmentRadiance(reflect(-v, s.normal), s.roughness);
 #else
   vec3 mirror = lights.ambient.rgb;
 #endif
-  sum.diffuse += r.diffuse * (1.0 - reflected) * ambientRadiance(s.normal) * s.occlusion;
+  // The fit exceeds 1 by some percent at grazing angles, where no light is left for the inside.
+  sum.diffuse += r.diffuse * max(1.0 - reflected, 0.0) * ambientRadiance(s.normal) * s.occlusion;
   sum.specular += reflected * mirror * s.occlusion;
+#ifdef DEMODULATE
+  sum.perColor += ((1.0 - s.metallic) * (1.0 - reflected) * ambientRadiance(s.normal) +
+                   s.metallic * albedo.x * mirror) * s.occlusion;
+#endif
   return sum;
 }
 
 Radiance lightSurface(SurfacePoint s, vec3 eye) {
-  return lightSurface(s, eye, shadowAt(s.position, s.normal));
+  return lightSurface(s, eye, shadowAt(s));
 }

@@ -1,6 +1,5 @@
 // Where the samples of the resized image lie, and what one of them holds. A cell is what one sample
 // stands for: one texel of the resized image L, or a square of them where shading is foveated.
-#include "lib/brdf.glsl"
 #include "lib/half.glsl"
 #include "lib/raster.glsl"
 #include "shared/lod_totals.h"
@@ -30,9 +29,38 @@ vec3 sampleValue(uvec4 texel) {
   return vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x);
 }
 
-/// What light on a surface is multiplied by, roughly: colour of diffuse and metallic reflection, and
-/// the reflectance of dielectrics, so that it is never 0.
-vec3 surfaceColor(vec3 baseColor) { return baseColor + kDielectricF0; }
+/// exp2() may be off by a bit. @param n -126 to 127
+float exactPowerOf2(int n) { return uintBitsToFloat(uint(n + 127) << 23); }
+
+/// Three channels >= 0 that share an exponent, 9 bits each (EXT_texture_shared_exponent).
+uint packSharedExponent(vec3 c) {
+  const float kMost = 65408.0;  // 511 / 512 * 2^16
+  c = clamp(c, vec3(0.0), vec3(kMost));
+  float most = max(max(c.r, c.g), c.b);
+  int exponent = max(int(floatBitsToUint(most) >> 23) - 126, -15);  // most < 2^exponent
+  if (most * exactPowerOf2(9 - exponent) >= 511.5) ++exponent;      // would round to 512
+  uvec3 mantissa = uvec3(c * exactPowerOf2(9 - exponent) + 0.5);
+  return mantissa.r | mantissa.g << 9 | mantissa.b << 18 | uint(exponent + 15) << 27;
+}
+vec3 unpackSharedExponent(uint bits) {
+  uvec3 mantissa = uvec3(bits, bits >> 9, bits >> 18) & 511u;
+  return vec3(mantissa) * exactPowerOf2(int(bits >> 27) - 24);
+}
+
+/// Light on a surface apart from the surface's colours. No light is known of unlit surfaces.
+struct SurfaceLight {
+  vec3 perColor;   // times the base colour
+  vec3 colorless;  // added to that
+  float metallic;  // of the surface: metals and dielectrics reflect the same light differently
+};
+/// In place of the metallic factor.
+const float kUnlitSample = -1.0;
+
+/// As packSample(), of the same size.
+uvec4 packLight(SurfaceLight s, float inverseDistance, vec3 normal) {
+  return uvec4(packSharedExponent(s.perColor), packSharedExponent(s.colorless),
+               floatBitsToUint(inverseDistance), packSnorm4x8(vec4(normal, s.metallic)));
+}
 
 /// A fit below this is none: the sample lies on another surface. At it a Gaussian is 2.4 sigma out.
 const float kLeastFit = 0.05;

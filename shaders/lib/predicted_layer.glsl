@@ -13,6 +13,6 @@ vec4 predictedLayer(MaterialData m, vec4 base, vec3 light) {
                transmission * (tint - least) * light;
   return vec4(color, 1.0 - transmission * least) * alphaOf(m, base.a);
 #else
-  return vec4(base.rgb + m.emissive.rgb, 1.0) * alphaOf(m, base.a);
+  return vec4(base.rgb, 1.0) * alphaOf(m, base.a);
 #endif
 }

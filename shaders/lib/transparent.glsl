@@ -1,8 +1,9 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
 // LIT: the run's materials are lit. VERTEX_LIGHT: a cheap guess of both instead, for predictions,
-// with light from the vertices, and without textures (TEXTURED) the whole layer from there.
+// with light from the vertices, and without textures and tests of alpha (TEXTURED, HOLED) the whole
+// layer from there.
 #include "lib/frame.glsl"
-#if defined(VERTEX_LIGHT) && !defined(TEXTURED)
+#if defined(VERTEX_LIGHT) && !defined(TEXTURED) && !defined(HOLED)
 layout(location = 3) in vec4 inFrontLayer;
 layout(location = 4) in vec4 inBackLayer;
 
@@ -37,7 +38,7 @@ vec4 shadeTransparent() {
   }
   return vec4((r.diffuse + r.specular + s.emissive) * s.alpha, s.alpha);
 #else
-  return vec4((s.baseColor + s.emissive) * s.alpha, s.alpha);
+  return vec4(s.baseColor * s.alpha, s.alpha);
 #endif
 }
 #endif

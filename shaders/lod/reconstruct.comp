@@ -3,7 +3,8 @@
 // BILINEAR: weights by distance in the image alone. YANG2008: and by Gaussians of the differences in
 // normal and depth. Else: and by how well a sample fits the pixel's tangent plane and normal.
 // PARTS: what is reconstructed are parts of the shading. FOVEATED: samples are 1 to 8 texels apart,
-// tile by tile. DEMODULATE: samples hold the light on surfaces, and each pixel has its own colour.
+// tile by tile. DEMODULATE: samples hold the light on surfaces; base colour, emission and what is
+// unlit (UNLIT: the scene has such surfaces) are the pixel's own.
 // SHADE_HOLES: pixels that no sample fits go to a list; else they take the best one.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
@@ -20,6 +21,10 @@ layout(binding = TEX_INPUT3) uniform usampler2D shadingRate;
 #endif
 #ifdef DEMODULATE
 layout(binding = TEX_INPUT4) uniform sampler2D baseColorTexture;
+layout(binding = TEX_INPUT5) uniform sampler2D emissiveTexture;
+#ifdef UNLIT
+layout(binding = TEX_INPUT6) uniform sampler2D surfaceTexture;
+#endif
 #endif
 #ifdef PARTS
 layout(rgba8, binding = IMG_0) writeonly uniform image2D target;
@@ -90,7 +95,7 @@ vec2 slopeOf(vec3 n) {
   return seen.xy / max(seen.z, 1e-3);
 }
 
-vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
+vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal, float metallic) {
   vec2 slope = slopeOf(normal);
   vec4 fit;
   for (int i = 0; i < 4; ++i) {
@@ -107,16 +112,26 @@ vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
 #else
 /// By how much the cosine between normals may fall short of 1 likewise.
 const float kNormalTolerance = 0.015;
+/// And by how much the metallic factors of light may differ.
+const float kMetallicTolerance = 0.1;
 
-vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
+/// @param metallic of the pixel, where samples hold light
+vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal, float metallic) {
   TangentPlane tangent = tangentPlaneAt(p, inverseDistance, normal);
   vec4 fit;
   for (int i = 0; i < 4; ++i) {
     uvec4 texel = taps.texels[i];
     float plane = planeMiss(tangent, vec2(taps.pixels[i] - p), uintBitsToFloat(texel.z));
-    float bend = (1.0 - dot(normal, unpackSnorm4x8(texel.w).xyz)) / kNormalTolerance;
+    vec4 seen = unpackSnorm4x8(texel.w);
+    float bend = (1.0 - dot(normal, seen.xyz)) / kNormalTolerance;
     float miss = 1.0 + plane + bend * bend;
-    fit[i] = isSurface(texel) ? 1.0 / (miss * miss) : 0.0;
+    bool knows = isSurface(texel);
+#ifdef DEMODULATE
+    float unlike = (metallic - seen.w) / kMetallicTolerance;
+    miss += unlike * unlike;
+    knows = knows && seen.w >= 0.0;
+#endif
+    fit[i] = knows ? 1.0 / (miss * miss) : 0.0;
   }
   return fit;
 }
@@ -124,15 +139,23 @@ vec4 fitOf(Taps taps, ivec2 p, float inverseDistance, vec3 normal) {
 
 /// @returns whether a sample fits; else `value` is what the best one holds
 bool reconstruct(ivec2 p, out vec3 value) {
+  float depth = texelFetch(depthTexture, p, 0).r;
+  vec4 baseColor = vec4(0.0);
+#ifdef DEMODULATE
+  if (depth > 0.0) baseColor = texelFetch(baseColorTexture, p, 0);
+#ifdef UNLIT
+  value = baseColor.rgb;
+  if (depth > 0.0 && unpackKind(texelFetch(surfaceTexture, p, 0).zw).unlit) return true;
+#endif
+#endif
   Taps taps = tapsAround(p);
   vec4 weights = tentOf(taps.between);
   bool fits = true;
 #ifndef BILINEAR
-  float depth = texelFetch(depthTexture, p, 0).r;
   vec4 fit;
   if (depth > 0.0) {
     vec3 normal = decodeOctahedral(texelFetch(normalTexture, p, 0).rg);
-    fit = fitOf(taps, p, inverseDistanceOf(depth), normal);
+    fit = fitOf(taps, p, inverseDistanceOf(depth), normal, baseColor.a);
   } else {
     for (int i = 0; i < 4; ++i) fit[i] = isSurface(taps.texels[i]) ? 0.0 : 1.0;
   }
@@ -142,10 +165,18 @@ bool reconstruct(ivec2 p, out vec3 value) {
 #endif
 #endif
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; ++i) sum += weights[i] * sampleValue(taps.texels[i]);
+  for (int i = 0; i < 4; ++i) {
+#ifdef DEMODULATE
+    sum += weights[i] * (baseColor.rgb * unpackSharedExponent(taps.texels[i].x) +
+                         unpackSharedExponent(taps.texels[i].y));
+#else
+    sum += weights[i] * sampleValue(taps.texels[i]);
+#endif
+  }
   value = sum / dot(weights, vec4(1.0));
 #ifdef DEMODULATE
-  if (depth > 0.0) value *= surfaceColor(texelFetch(baseColorTexture, p, 0).rgb);
+  if (depth > 0.0) value += texelFetch(emissiveTexture, p, 0).rgb;
+  value = min(value, vec3(kMaxHalf));
 #endif
   return fits;
 }

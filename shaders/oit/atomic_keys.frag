@@ -7,10 +7,12 @@ layout(early_fragment_tests) in;
 #define STORE_ACCESS coherent
 #define KEYS_ONLY
 #include "lib/fragment_store.glsl"
-
-layout(location = 2) flat in uvec3 inIds;
+#include "lib/material.glsl"
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) return;
+#endif
   ivec2 p = ivec2(gl_FragCoord.xy);
   uint k = frame.oit.x;
   uint first = uint(p.y * int(frame.size.x) + p.x) * k;
@@ -24,7 +26,7 @@ void main() {
   }
 #else
   if (depth > keys[first + k - 1u].x) return;
-  uint value = inIds.y + inIds.z * uint(gl_PrimitiveID);
+  uint value = fragmentId();
   for (uint i = 0u; i < k && value != NO_KEY; ++i) {
     if (keys[first + i].x == depth) value = max(value, atomicMin(keys[first + i].y, value));
   }

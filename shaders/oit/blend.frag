@@ -1,6 +1,12 @@
 // Transparent fragments in the order in which they are drawn.
+#include "lib/half.glsl"
 #include "lib/transparent.glsl"
 
 layout(location = 0) out vec4 color;
 
-void main() { color = shadeTransparent(); }
+void main() {
+#ifdef HOLED
+  if (!isThere()) discard;
+#endif
+  color = min(shadeTransparent(), vec4(kMaxHalf));
+}

@@ -104,21 +104,30 @@ void keep(ivec2 p, PixelSlots slots, uvec2 key) {
 #endif
 
 void main() {
+#ifdef HOLED
+  // No discard: the interlock must begin outside of all branches.
+  bool there = isThere();
+#else
+  const bool there = true;
 #ifdef TEXTURED
   prepareGradients();
+#endif
 #endif
   ivec2 p = ivec2(gl_FragCoord.xy);
   PixelSlots slots = pixelSlots(p);
   uvec2 key = fragmentKey(gl_FragCoord.z, fragmentId());
 #ifdef COUNT_OUT
-  countOut = 1.0;
+  countOut = there ? 1.0 : 0.0;
 #endif
 #ifndef INSERTION_SORTED
-  keep(p, slots, key);
+#if defined(TAIL_DENSE) && defined(HOLED)
+  tailOut = vec4(0.0);
+#endif
+  if (there) keep(p, slots, key);
 #else
   // No early return: the interlock must begin outside of all branches.
   uint fill = 0u;
-  bool wanted = slots.capacity > 0u || slots.tail;
+  bool wanted = there && (slots.capacity > 0u || slots.tail);
 #ifndef TAIL_IN_SLOT
   if (wanted) {
     fill = imageLoad(fragmentFill, p).r;

@@ -12,6 +12,9 @@ layout(location = 2) out vec4 colorSum;    // summed
 layout(location = 3) out vec4 nearest;     // maximum
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) discard;
+#endif
   vec4 c = approximateTransparent();
   vec3 color = clamp(c.rgb, vec3(0.0), vec3(SLICE_MAX_COLOR));
   count = 1.0;

@@ -2,9 +2,13 @@
 // order on one thread; else atomics.
 layout(early_fragment_tests) in;
 
+#include "lib/material.glsl"
 #include "lib/occupancy.glsl"
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) return;
+#endif
   ivec2 p = ivec2(gl_FragCoord.xy);
   if (slotsIfCrowded(p) == 0u) return;
   uint interval = intervalOf(intervalsAt(p), floatBitsToUint(gl_FragCoord.z));

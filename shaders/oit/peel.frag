@@ -6,12 +6,10 @@ layout(early_fragment_tests) in;  // the depth test is for equality; only its wi
 #endif
 
 #include "lib/oit.glsl"
+#include "lib/material.glsl"
 #ifdef STAGE_COLOR
 #include "lib/transparent.glsl"
 layout(location = 0) out vec4 color;
-#else
-layout(location = 2) flat in uvec3 inIds;
-uint fragmentId() { return inIds.y + inIds.z * uint(gl_PrimitiveID); }
 #endif
 
 layout(binding = TEX_INPUT0) uniform sampler2D opaqueDepth;
@@ -23,6 +21,9 @@ layout(r32ui, binding = IMG_1) readonly uniform uimage2D ids;
 #endif
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) discard;
+#endif
   ivec2 p = ivec2(gl_FragCoord.xy);
 #ifdef STAGE_COLOR
   vec4 shaded = shadeTransparent();

@@ -23,7 +23,8 @@ void main() {
   if (s == vec4(0.0, 0.0, 0.0, 1.0)) return;
   // Over the image, whose alpha is 1, or over nothing.
   vec4 behind = imageLoad(hdrColor, p);
-  imageStore(hdrColor, p, vec4(s.rgb + s.a * behind.rgb, 1.0 - s.a * (1.0 - behind.a)));
+  vec3 color = min(s.rgb + s.a * behind.rgb, vec3(kMaxHalf));
+  imageStore(hdrColor, p, vec4(color, 1.0 - s.a * (1.0 - behind.a)));
 #else
   uint id = imageLoad(ids, p).r;
   if (id == NO_KEY) return;

@@ -125,6 +125,6 @@ void main() {
   if (c.transmittance == 1.0 && c.color == vec3(0.0)) return;
   // Over the image, whose alpha is 1, or over nothing.
   vec4 behind = imageLoad(hdrColor, p);
-  imageStore(hdrColor, p, vec4(c.color + c.transmittance * behind.rgb,
+  imageStore(hdrColor, p, vec4(min(c.color + c.transmittance * behind.rgb, vec3(kMaxHalf)),
                                1.0 - c.transmittance * (1.0 - behind.a)));
 }

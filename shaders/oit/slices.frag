@@ -32,6 +32,9 @@ float wayOf(float depth, vec2 range) {
 }
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) return;
+#endif
   vec4 c = approximateTransparent();
   float alpha = clamp(c.a, 0.0, 1.0);
   float tau = min(opticalDepth(alpha), SLICE_MAX_DEPTH);

@@ -12,6 +12,9 @@ float visibilityGuess(float alpha) {
 }
 
 void main() {
+#ifdef HOLED
+  if (!isThere()) discard;
+#endif
   vec4 c = shadeTransparent();
   float alpha = clamp(c.a, 0.0, 1.0);
   weighted = alpha > 0.0 ? vec4(c.rgb, alpha) * (visibilityGuess(alpha) / alpha) : vec4(0.0);

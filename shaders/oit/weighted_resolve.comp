@@ -3,6 +3,7 @@
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
+#include "lib/half.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D weighted;
 layout(binding = TEX_INPUT1) uniform sampler2D coverage;
@@ -16,6 +17,6 @@ void main() {
   float passes = exp2(-texelFetch(coverage, p, 0).a);
   // Over the image, whose alpha is 1, or over nothing.
   vec4 behind = imageLoad(hdrColor, p);
-  imageStore(hdrColor, p, vec4(sum.rgb / sum.a * (1.0 - passes) + behind.rgb * passes,
-                               1.0 - passes * (1.0 - behind.a)));
+  vec3 color = sum.rgb / sum.a * (1.0 - passes) + behind.rgb * passes;
+  imageStore(hdrColor, p, vec4(min(color, vec3(kMaxHalf)), 1.0 - passes * (1.0 - behind.a)));
 }

@@ -40,6 +40,7 @@
 #define TEX_INPUT3 11
 #define TEX_INPUT4 12
 #define TEX_INPUT5 13
+#define TEX_INPUT6 14
 
 // Images
 #define IMG_0 0

@@ -13,6 +13,12 @@
 #define MATERIAL_HAS_EMISSIVE_TEXTURE 128u
 #define MATERIAL_BLEND 256u
 
+// The greatest alpha of a transparent fragment that adds nothing: neither counted nor stored. 2^-25 is
+// what half floats, in which fragments are stored, round to 0, and what floats, in which they are put
+// over one another, take away from 1 without a change. With 8-byte fragments, too: their 8 bits of
+// alpha round more to 0, but the light of those fragments is stored.
+#define LEAST_ALPHA 2.98023223876953125e-8
+
 #define LIGHT_DIRECTIONAL 0u
 #define LIGHT_POINT 1u
 #define LIGHT_SPOT 2u
@@ -56,7 +62,8 @@ struct LightBlock {
   vec4 ambient;           // constant ambient radiance; w: count of lights
   vec4 environment;       // x: mip levels, y: intensity
   mat4 shadowMatrix;      // world to shadow map, 0..1 in x, y and z
-  vec4 shadow;            // x: width of the map in world units
+  vec4 shadow;            // x: width of the map in world units; y: square of the least distance
+                          // to a light
   vec4 occlusion;         // x: radius in world units, y: samples
   vec4 veins[MAX_VEINS];  // linear rgb; w: veins a metre
   vec4 irradiance[SH_COEFFICIENTS];

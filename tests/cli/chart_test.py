@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """macula chart from outside: results, report in a browser without network, interruption, refusals."""
 import csv
+import hashlib
 import json
 import os
 import re
@@ -38,6 +39,23 @@ metric = "fragments.loss"
 of = "limited"
 budgets = ["k_ave 4"]
 limit = "<= 0.01"
+"""
+
+
+# Where the budget stores everything, this target says nothing.
+FITS = """
+[[variant]]
+id = "filled"
+settings = { oit.method = "kb-variable", oit.fill = true }
+budgets = true
+[[target]]
+name = "the budget is used twice over"
+kind = "value"
+metric = "budget_used"
+of = "filled"
+budgets = ["share 1"]
+limit = ">= 2"
+unless_all_stored = true
 """
 
 
@@ -228,11 +246,19 @@ def check_results(folder):
     assert float(rows[1]["rmse"]) == narrow["error"]["rmse"]
     assert float(rows[1]["ms.transparency"]) == narrow["ms"]["transparency"]["median"]
     assert rows[3]["reason"] == refused["reason"]
+    made_from = made["provenance"]
+    assert made_from["command"].startswith("macula chart "), made_from
+    assert made_from["commit"] == made["commit"] and made_from["version"], made_from
+    own = hashlib.sha256(TINY.encode()).hexdigest()
+    assert made_from["experiment"]["sha256"] == own, made_from
+    # A file that is not there was not read.
+    assert [s["name"] for s in made_from["scene"]] == ["layers-16"], made_from["scene"]
+    assert [c["name"] for c in made_from["camera"]] == ["auto"] and made_from["seed"] == [1]
 
 
 def check_oracles(folder):
     """With room for every fragment an oracle's image is the exact one; with less it is not."""
-    chart(folder, TINY.replace("[[target]]", """[[variant]]
+    done = chart(folder, TINY.replace("[[target]]", """[[variant]]
 id = "optimal-k"
 oracle = "optimal-k"
 budgets = true
@@ -240,7 +266,15 @@ budgets = true
 id = "least-rmse-tail"
 oracle = "least-rmse-tail"
 budgets = true
-[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }"))
+[[target]]""", 1).replace("{ mib = 8000 }", "{ share = 1.0 }") + FITS)
+    row = results(folder)["targets"][-1]
+    assert (row["state"], row["reason"]) == ("n/a", "everything fits"), row
+    assert re.search(r"^  n/a: everything fits +[0-9.]+  layers-16", done.stdout, re.M), done.stdout
+    assert "targets: 1 met, 1 missed, 1 n/a, 0 unmeasured" in done.stdout, done.stdout
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is not None:
+        dom = opened(browser, folder, os.path.join(folder, "out", "report.html"))
+        assert "1 met, 1 missed, 1 n/a, 0 not measured" in dom and ">n/a: everything fits<" in dom
     points = [p for p in results(folder)["points"] if p["variant"] in ("optimal-k", "least-rmse-tail")]
     assert len(points) == 6
     if all(p["status"] == "refused" and "not part of this build" in p["reason"] for p in points):
@@ -293,6 +327,8 @@ def check_report(folder):
     addresses = set(re.findall(r"""(?:src|href)=["']?(?!data:)([a-z]+:)?//[^"' >]+""", text))
     assert not addresses, f"the page asks the network: {addresses}"
     dom = opened(browser, folder, page)
+    foot = dom[dom.index("How this was made"):]
+    assert "macula chart " in foot and "experiment.toml" in foot and "layers-16" in foot, foot[:2000]
     for chart_id, count in (("by-time", 3), ("by-bytes", 3)):
         at = dom.index(f'id="{chart_id}"')
         part = dom[at:dom.index("</figure>", at)]
@@ -435,6 +471,33 @@ def check_moving(folder):
     assert ">Flicker<" in dom and dom.count("nowhere.glb: optional, and not here") == 1
 
 
+def check_heatmap(folder):
+    """A variant with a heat map shows it, and its errors and differences are those of its image."""
+    chart(folder, """title = "Mapped"
+scenes = ["layers-8"]
+sizes = ["64x64"]
+frames = 1
+budgets = [{ k_ave = 4 }]
+[[variant]]
+id = "plain"
+settings = { oit.method = "kb-variable" }
+budgets = true
+[[variant]]
+id = "mapped"
+settings = { oit.method = "kb-variable", view.heatmap = "k" }
+budgets = true
+""")
+    plain, mapped = results(folder)["points"]
+    pictures = {}
+    for point in (plain, mapped):
+        for role in ("image", "difference"):
+            with open(os.path.join(folder, "out", point["images"][role]), "rb") as f:
+                pictures[point["variant"], role] = f.read()
+    assert plain["error"] == mapped["error"] and plain["error"]["rmse"] > 0
+    assert pictures["plain", "image"] != pictures["mapped", "image"]
+    assert pictures["plain", "difference"] == pictures["mapped", "difference"]
+
+
 def check_learned(folder):
     """The ready-made experiment of networks, cut down; the models are not beside this folder."""
     with open(os.path.join(SOURCE, "assets", "experiments", "learned.toml"), encoding="utf-8") as f:
@@ -520,6 +583,13 @@ def check_refusals(folder):
     refuses(TINY.replace("oit.method = \"kb-v", "oit.metod = \"kb-v"), "experiment.toml:11: ")
     refuses(TINY.replace("kb-variable", "kb-variabel"), "experiment.toml:11: ")
     refuses(TINY.replace("layers-16", "smok"), "smok")
+    refuses(TINY.replace("layers-16", "smok"), "the nearest is 'smoke' of gallery, ")
+    refuses(TINY.replace("layers-16", "nowhere/smoke"), "no such file; check the path")
+    refuses(TINY.replace("frames = 2", "frames = 2\nsettings = { oit.kAve = 2, oit.memoryMiB = 8 }"),
+            "drop oit.kAve to keep 8 MiB, or oit.memoryMiB to keep 2 fragments/sample")
+    refuses(TINY.replace("kb-variable\" }", "kb-variable\", oit.memoryMiB = 8 }"),
+            "measured at the budgets of its study")
+    refuses("settings = { oit.memoryMiB = 8 }\n" + SWEPT, "cannot hold together")
     refuses(SWEPT.replace("4.5, 2]", "0, 2]"), "experiment.toml:13: ")
     refuses(SWEPT.replace("oit.kAve = [8", "oit.kAev = [8"), "'oit.kAve'")
     refuses(SWEPT.replace("oit.kAve = [8, 3]", "frame.seed = [8, 3]"), "decides what is loaded")
@@ -539,6 +609,8 @@ def main():
             check_sweep(swept)
         with tempfile.TemporaryDirectory() as moving:
             check_moving(moving)
+        with tempfile.TemporaryDirectory() as mapped:
+            check_heatmap(mapped)
         with tempfile.TemporaryDirectory() as learned:
             check_learned(learned)
         check_kept(folder)

@@ -37,6 +37,8 @@ chmod a-w locked
 
 refuses "wrong path" nowhere.glb replay nowhere.glb
 refuses "no such scene" smoke replay smokee
+refuses "scenes are listed" "of gallery, smoke, bottles" replay smokee
+refuses "wrong path without a scene's ending" "no such file; check the path" replay nowhere/smoke
 refuses "empty file" empty.glb replay empty.glb
 refuses "folder" folder.glb replay folder.glb
 refuses "truncated" cut.glb replay cut.glb
@@ -50,8 +52,29 @@ refuses "k_ave not a number" k-ave replay layers-2 --k-ave nan
 refuses "unreadable log" nowhere.csv replay layers-2 --gaze nowhere.csv
 refuses "empty log" empty.csv replay layers-2 --gaze empty.csv
 refuses "no gaze log" garbage.csv replay layers-2 --gaze garbage.csv
+refuses "scene as gaze" "a glTF scene, not a gaze log" replay layers-2 --gaze good.glb
+printf 'time_s,x,y,valid\n0,0.5,0.5,1\n' >log.csv
+refuses "format that is not the file's" "but the file is macula-csv" replay layers-2 --gaze log.csv --gaze.format eyelink
 refuses "gaze off the window" 1.5 replay layers-2 --gaze 1.5,0.5
 refuses "no camera path" nowhere.csv replay layers-2 --camera nowhere.csv
+refuses "no word for a camera" "give auto, scene" replay layers-2 --camera orbit
+refuses "percent for a share" "write 0.5 for 50 %" replay layers-2 --scene.opacity 50
+refuses "percent sign for a share" "write 0.5 for 50 %" replay layers-2 --set scene.opacity=50%
+refuses "percent of the pixels" "write 0.13 for 13 %" "$macula" features --training layers-2 --out out --sample 13%
+refuses "percent among shares" "write 0.2 for 20 %" "$macula" features --training layers-2 --out out --shares 0.1 20
+
+# A budget is stated once, in whatever place and form.
+two="cannot hold together; drop"
+printf 'oit.kAve = 2\n' >average.toml
+printf '[oit]\nkAve = 2\nmemoryMiB = 8\n' >both.toml
+refuses "two budgets" "--k-ave and --oit-memory $two --k-ave to keep 8 MiB, or --oit-memory to keep 4" replay layers-2 --k-ave 4 --oit-memory 8
+refuses "two budgets by --set" "--set oit.kAve and --oit-memory $two" replay layers-2 --oit-memory 8 --set oit.kAve=2
+refuses "two budgets, one in a file" "average.toml:1: oit.kAve and --oit-memory $two oit.kAve" replay layers-2 --config average.toml --oit-memory 8
+refuses "two budgets in a file" "both.toml:2: oit.kAve and both.toml:3: oit.memoryMiB $two" replay layers-2 --config both.toml
+replay layers-2 --config average.toml --oit-memory 0 >/dev/null || { echo "FAILED: 0 is no budget"; failures=$((failures + 1)); }
+printf 'oit.fill = on\n' >word.toml
+refuses "a word without quotes" "word.toml:1:12: Error while parsing value: could not determine value type; write true" replay layers-2 --config word.toml
+
 refuses "no environment" nowhere.hdr replay layers-2 --environment nowhere.hdr
 refuses "budget of nothing" oit-memory replay layers-2 --oit-memory 0.000001
 refuses "zero frames" frames "$macula" replay layers-2 --frames 0 --out out

@@ -75,7 +75,7 @@ class Walk:
             time.sleep(0.005)
 
     def press(self, key):
-        """Down for two frames: one that came and went between two is not seen."""
+        """Down for two frames, so that a key of the camera moves it in each."""
         xdotool("keydown", key)
         self.wait_for(2)
         xdotool("keyup", key)

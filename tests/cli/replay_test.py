@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """macula replay from outside: schema, determinism, budget, gaze that follows the log."""
+import base64
+import hashlib
 import json
 import math
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -131,6 +134,60 @@ def check_images(folder):
     assert os.path.exists(prefix + "_difference.png") and os.path.exists(prefix + "_flip.png")
 
 
+def check_heatmap(folder):
+    """A heat map is on the picture, and nothing that is measured is of its colours."""
+    options = ("layers-12", "--frames", "2", "--size", "96x72", "--reference", "--images", "png",
+               "--k-ave", "4")
+    plain, out = replay(folder, *options)
+    os.replace(os.path.join(out, "frame_00001.png"), os.path.join(folder, "plain.png"))
+    mapped, out = replay(folder, *options, "--heatmap", "depth-complexity")
+    for a, b in zip(plain["frames"], mapped["frames"]):
+        for key in ("image_sha256", "error", "flicker", "hazards"):
+            assert a[key] == b[key], key
+    printed = subprocess.run([MACULA, "compare", os.path.join(folder, "plain.png"),
+                              os.path.join(out, "frame_00001.png"), "--json", "-"], check=True,
+                             capture_output=True, text=True).stdout
+    assert json.loads(printed)["rmse"] > 0.1, "the picture is the heat map"
+
+
+def check_warnings(folder):
+    """What is not drawn as given is said on one line of standard error, and by scene info."""
+    lights = [{"type": "point", "intensity": 5.0, "color": [1, 1, 1]},
+              {"type": "point", "intensity": 1.0, "color": [1, 1, 1]}]
+    nodes = [{"translation": [0, 0, 3.0], "name": f"lamp {i}",
+              "extensions": {"KHR_lights_punctual": {"light": 0 if i != 7 else 1}}}
+             for i in range(33)]
+    triangle = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
+    scene = os.path.join(folder, "lamps.gltf")
+    with open(scene, "w", encoding="utf-8") as f:
+        json.dump({
+            "asset": {"version": "2.0"}, "scene": 0, "extensionsUsed": ["KHR_lights_punctual"],
+            "scenes": [{"nodes": list(range(34))}], "nodes": [*nodes, {"mesh": 0}],
+            "extensions": {"KHR_lights_punctual": {"lights": lights}},
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                           "min": [-1, -1, 0], "max": [1, 1, 0]}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,"
+                         + base64.b64encode(triangle).decode()}]}, f)
+    sky = os.path.join(folder, "sun.hdr")
+    with open(sky, "wb") as f:
+        f.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n" + bytes(4 * 9)
+                + bytes([128, 128, 128, 128 + 18]) + bytes(4 * 22))
+    done = subprocess.run([MACULA, "replay", scene, "--environment", sky, "--frames", "1", "--size",
+                           "32x24", "--out", os.path.join(folder, "run")], check=True,
+                          capture_output=True, text=True)
+    lines = done.stderr.splitlines()
+    assert len(lines) == 2, lines
+    assert lines[0].startswith(f"warning: {sky}: 1 of 32 texels is brighter than 65504"), lines
+    assert "1.311e+05 in column 1, row 1" in lines[0], lines
+    assert "33 lights" in lines[1] and "without lamp 7;" in lines[1], lines
+    printed = subprocess.run([MACULA, "scene", "info", scene, "--json", "-"], check=True,
+                             capture_output=True, text=True).stdout
+    warnings = json.loads(printed[printed.index("{"):])["warnings"]
+    assert len(warnings) == 1 and "33 lights" in warnings[0], warnings
+
+
 def check_hdr(folder):
     options = ("layers-4", "--frames", "2", "--size", "32x24", "--reference", "--k-ave", "2",
                "--tonemap", "none")
@@ -175,6 +232,84 @@ def check_gaze_follows(report, path):
         assert math.isclose(frame["gaze"]["raw_y"], y / 1024, abs_tol=1e-6), frame["gaze"]
 
 
+def sha256_of(path):
+    with open(path, "rb") as f:
+        return hashlib.sha256(f.read()).hexdigest()
+
+
+def scene_with_files(folder):
+    """layers-2 as a .gltf with its buffer beside it, and an image that is not there."""
+    packed = os.path.join(folder, "packed.glb")
+    subprocess.run([MACULA, "scene", "make", "layers-2", "--out", packed], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(packed, "rb") as f:
+        data = f.read()
+    length = struct.unpack_from("<I", data, 12)[0]
+    document = json.loads(data[20:20 + length])
+    with open(os.path.join(folder, "the data.bin"), "wb") as f:
+        f.write(data[28 + length:])
+    document["buffers"][0]["uri"] = "the%20data.bin"
+    document["images"] = [{"uri": "nowhere.png"}, {"uri": "data:image/png;base64,AAAA"}]
+    scene = os.path.join(folder, "two layers.gltf")
+    with open(scene, "w", encoding="utf-8") as f:
+        json.dump(document, f)
+    return scene
+
+
+def check_provenance(folder):
+    """What a report says it was made from: command, program, and every file by its hash."""
+    small = ("--frames", "1", "--size", "32x24", "--warmup", "0")
+    version = subprocess.run([MACULA, "--version"], check=True, capture_output=True,
+                             text=True).stdout
+    made, out = replay(folder, "layers-2", *small)
+    block = made["provenance"]
+    assert block["command"].startswith("macula replay layers-2 --out "), block
+    assert f"macula {block['version']} ({block['commit']})" in version, (block, version)
+    assert block["commit"] == made["commit"]
+    nothing = {"path": None, "sha256": None, "files": []}
+    assert block["scene"] == {"name": "layers-2", **nothing}, block
+    assert block["gaze"] == {"name": "center", **nothing}, block
+    assert block["camera"] == {"name": "auto", **nothing}, block
+    assert block["fps"] == 60 and block["seed"] == 1, block
+
+    scene = scene_with_files(folder)
+    log = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
+    path = os.path.join(SOURCE, "assets", "gallery_walk.csv")
+    options = (*small, "--gaze", log, "--camera", path, "--fps", "50", "--seed", "7")
+    made, _ = replay(folder, scene, *options)
+    block = made["provenance"]
+    assert f"replay '{scene}' --out {out} --frames 1" in block["command"], block["command"]
+    assert block["scene"] == {
+        "name": scene, "path": scene, "sha256": sha256_of(scene),
+        "files": [{"path": "the data.bin",
+                   "sha256": sha256_of(os.path.join(folder, "the data.bin"))},
+                  {"path": "nowhere.png", "sha256": None}]}, block["scene"]
+    for role, file in (("gaze", log), ("camera", path)):
+        assert block[role] == {"name": file, "path": file, "sha256": sha256_of(file),
+                               "files": []}, block[role]
+    assert block["fps"] == 50 and block["seed"] == 7, block
+    again, _ = replay(folder, scene, *options)
+    assert again["provenance"] == block, "two runs differ"
+
+    # The command may hold any bytes, and is still JSON.
+    odd = os.fsencode(os.path.join(folder, "caf")) + b"\xe9"
+    subprocess.run([MACULA, "replay", "layers-2", "--out", odd, *small], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(os.path.join(odd, b"report.json"), encoding="utf-8") as f:
+        assert "caf\ufffd" in json.load(f)["provenance"]["command"]
+
+
+def check_booleans_of_files(folder):
+    """A TOML file takes the command line's words."""
+    for word, on in (('"on"', True), ("1", True), ("true", True), ('"off"', False), ("0", False)):
+        file = os.path.join(folder, "settings.toml")
+        with open(file, "w", encoding="utf-8") as f:
+            f.write(f"oit.fill = {word}\n")
+        report, _ = replay(folder, "layers-2", "--frames", "1", "--size", "32x24", "--warmup", "0",
+                           "--config", file)
+        assert report["settings"]["oit.fill"] is on, word
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_exact_layers(folder)
@@ -184,6 +319,10 @@ def main():
         check_opacity(folder)
         check_images(folder)
         check_hdr(folder)
+        check_heatmap(folder)
+        check_warnings(folder)
+        check_provenance(folder)
+        check_booleans_of_files(folder)
         demo = os.path.join(SOURCE, "assets", "gallery_gaze.csv")
         check_deterministic(folder, "layers-12", demo)
         log = os.path.join(DATA, "gaze", "tobii_studio_50hz_decimal_comma.tsv")

@@ -150,7 +150,16 @@ def test_scenes():
     numbers, _ = walk("refused-log", "1 drop no_log.csv\n", gaze="mouse")
     check("no_log.csv" in numbers["message"] and "line 1" in numbers["message"],
           "a file that is no gaze log is refused by file and line")
+    check("read as a gaze log" in numbers["message"], "and it is said why it was taken for one")
     check(numbers["gaze"]["source"] == "mouse", "the gaze source before stays")
+    for name, step, words in (
+            ("nothing", "drop", "no file is named"), ("missing", "drop no.glb", "no such file"),
+            ("folder", "drop .", "is a folder with 0 scene files"),
+            ("path-missing", "play no.csv", "no such file"), ("path-folder", "play .", "is a folder"),
+            ("log-missing", "gaze no.csv", "no such file"), ("log-folder", "gaze .", "is a folder"),
+            ("twice", "scene hairball\n1 scene hairball", "already loading hairball")):
+        numbers, _ = walk(f"refused-{name}", f"1 {step}\n")
+        check(words in numbers["message"], f"1 {step!r}: {numbers['message']}")
     numbers, _ = walk("refused-scene", "1 scene nowhere.glb\n")
     check("nowhere.glb" in numbers["message"] and numbers["scene"] == "layers-4",
           "a scene that is not there leaves the one before")
@@ -161,6 +170,11 @@ def test_scenes():
     check(numbers["scene"] == "two.glb", "a dropped scene is shown")
     check(numbers["gaze"]["source"].endswith("gallery_gaze.csv") and
           numbers["gaze"]["state"] == "ok", "a dropped gaze log is followed")
+    with open("core.csv", "w", encoding="utf-8") as f:
+        f.write("gaze_timestamp,confidence,norm_pos_x,norm_pos_y\n1,1,0.25,0.75\n")
+    numbers, _ = walk("scene-camera", "1 drop core.csv\n", gaze="mouse")
+    check("scene camera" in numbers["message"] and len(numbers["gaze"]["warnings"]) == 1,
+          "gaze of a scene camera is announced")
     done = start("first", "", "nowhere.glb", "--frames", "1")
     check(done.returncode == 2 and len(done.stderr.strip().splitlines()) == 1,
           "without a first scene: one line and status 2")
@@ -184,8 +198,21 @@ def test_views():
     walk("difference", "1 view difference\n2 png difference-only.png\n", "--no-panels", "--method",
          "ab-sbuffer", frames=4)
     grey = read_png("difference-only.png")
-    check(all(row[0::3] == row[1::3] == row[2::3] for row in grey[2]),
+    legend = 70  # rows at the top that a legend may take
+    check(all(row[0::3] == row[1::3] == row[2::3] for row in grey[2][legend:]),
           "difference: a method and itself leave only grey")
+    # Equal images by methods whose k differs.
+    walk("map", "1 set view.heatmap=k\n2 png map-only.png\n4 set-second oit.method=kb-fixed\n"
+         "4 set-second oit.kAve=8\n4 view difference\n6 png map-difference-only.png\n",
+         "--no-panels", "--method", "ab-sbuffer", frames=8)
+    heat = read_png("map-only.png")
+    check(differing(a, heat, whole) > 0.5, "heat map: it is shown")
+    coldest = any(row[i] == 68 and row[i + 1] < 8 for row in heat[2][:legend]
+                  for i in range(0, len(row), 3))
+    check(coldest, "heat map: its legend is on the picture")  # four slots are the hottest colour
+    check(all(row[0::3] == row[1::3] == row[2::3]
+              for row in read_png("map-difference-only.png")[2][legend:]),
+          "heat map: differences are those of the images")
     numbers, _ = walk("difference-two", "1 set-second oit.method=blend\n1 view difference\n"
                       "2 press ,\n3 png hot-only.png\n", "--no-panels", "--method", "ab-sbuffer",
                       frames=5)
@@ -204,9 +231,15 @@ def test_views():
     check(known["rmse"] > 0 and abs(numbers["error"]["rmse"] - known["rmse"]) < 1e-9,
           "the error on demand is that of 'macula compare'")
     check(abs(numbers["error"]["flip"] - known["flip"]) < 1e-9, "and so is FLIP")
+    check(0 < numbers["error"]["frame"] < numbers["frame"] and
+          f"at frame {numbers['error']['frame']};" in numbers["message"],
+          "errors say at which frame they were measured")
+    check(numbers["frames_per_second"] > 0, "the frame rate is known")
     numbers, _ = walk("measured-second", "1 view split\n1 set-second oit.method=wboit\n"
                       "2 measure second\n", "--method", "blend", frames=4)
     check(numbers["error"]["reference"] == "wboit", "errors against method B")
+    check(numbers["ms"]["total"] > 0 and numbers["second"]["ms"]["total"] > 0,
+          "both methods have a time of their own")
 
 
 def test_files_and_keys():
@@ -241,6 +274,14 @@ def test_files_and_keys():
     numbers, _ = walk("refused-set", "1 set oit.method=peel\n", "--oit.fill", "on")
     check(numbers["method"] == "kb-variable", "a method that is refused is taken back")
 
+    numbers, _ = walk("rivals", "1 set oit.memoryMiB=8\n2 set oit.kAve=2\n", frames=4)
+    check("oit.memoryMiB is 0 again" in numbers["message"], f"one budget: {numbers['message']}")
+    check("--k-ave 2" in numbers["command_line"] and "memory" not in numbers["command_line"],
+          f"the budget that was set last holds: {numbers['command_line']}")
+    numbers, _ = walk("rival-kept", "1 set oit.memoryMiB=0.000001\n", "--k-ave", "2")
+    check("--k-ave 2" in numbers["command_line"] and "memory" not in numbers["command_line"],
+          "a budget that is refused leaves the other")
+
     still, _ = walk("still", "")
     numbers, _ = walk("orbit", "", "--camera", "auto", scene="smoke")
     check(numbers["camera"]["playing"] and not still["camera"]["playing"], "the orbit plays")
@@ -252,7 +293,8 @@ def test_files_and_keys():
           "a file that is no camera path is refused")
 
 
-def main():
+def run(tests):
+    """Runs tests in a folder of their own, on a display of their own."""
     if shutil.which("Xvfb") is None:
         print("skipped: Xvfb is not installed (apt-get install xvfb)")
         sys.exit(77)
@@ -269,7 +311,7 @@ def main():
             with os.fdopen(ends[0], encoding="ascii") as said:
                 os.environ["DISPLAY"] = ":" + said.readline().strip()
             os.chdir(folder)
-            for test in (test_panels, test_scenes, test_views, test_files_and_keys):
+            for test in tests:
                 test()
         finally:
             server.terminate()
@@ -284,4 +326,5 @@ def main():
         sys.exit(f"{faults} faults")
 
 
-main()
+if __name__ == "__main__":
+    run((test_panels, test_scenes, test_views, test_files_and_keys))

@@ -65,6 +65,12 @@ std::vector<std::uint8_t> Bench::display() const {
   return rgb;
 }
 
+std::vector<std::uint8_t> Bench::shown() const {
+  std::vector<std::uint8_t> rgb;
+  renderer.readShown(rgb);
+  return rgb;
+}
+
 std::vector<float> Bench::linear() const {
   std::vector<float> rgb;
   renderer.readLinear(rgb);

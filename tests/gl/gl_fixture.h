@@ -30,6 +30,8 @@ struct Bench {
         passes::Machine& machine, scene::DrawOrder order = {});
   passes::FrameResult draw(glm::vec2 gaze = glm::vec2(0.5F), bool cut = false);
   [[nodiscard]] std::vector<std::uint8_t> display() const;
+  /// The heat map, where one is drawn; the image otherwise.
+  [[nodiscard]] std::vector<std::uint8_t> shown() const;
   [[nodiscard]] std::vector<float> linear() const;
   /// Level 0 of an integer texture, rows from the bottom, `channels` words a texel.
   [[nodiscard]] std::vector<std::uint32_t> words(frame::Resource resource, int channels) const;

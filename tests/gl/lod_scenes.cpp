@@ -1,5 +1,6 @@
 #include "lod_scenes.h"
 
+#include <array>
 #include <cmath>
 
 #include "engine/scene/procedural/mesh_builder.h"
@@ -105,6 +106,53 @@ scene::Scene litCard() {
   camera.target = {0.0F, 1.2F, -5.0F};
   camera.verticalFov = 0.26F;
   camera.farPlane = 20.0F;
+  builder.camera(camera);
+  return std::move(builder).finish();
+}
+
+scene::Scene swatches() {
+  scene::SceneBuilder builder("swatches");
+  constexpr int kTexels = 32;
+  constexpr int kMetalTexels = 4;
+  scene::Image greys{.name = "greys", .width = kTexels, .height = kTexels, .rgba = {}};
+  std::uint32_t state = 1;
+  for (int i = 0; i < kTexels * kTexels; ++i) {
+    state = state * 1664525U + 1013904223U;
+    const auto value = static_cast<std::uint8_t>(state >> 16U & 1U   ? 255
+                                                 : state >> 20U & 1U ? 128
+                                                                     : 0);
+    greys.rgba.insert(greys.rgba.end(), {value, value, value, 255});
+  }
+  scene::Image metals{.name = "metals", .width = kMetalTexels, .height = kMetalTexels, .rgba = {}};
+  for (int i = 0; i < kMetalTexels * kMetalTexels; ++i) {
+    const auto metal = static_cast<std::uint8_t>((i + i / kMetalTexels) % 2 * 255);
+    metals.rgba.insert(metals.rgba.end(), {0, 150, metal, 255});
+  }
+  const scene::Sampler sharp{.nearest = true, .mipmaps = false};
+  const scene::TextureRef texture{.image = builder.image(greys), .sampler = sharp};
+  const scene::Material plain = scene::plainMaterial("plain", glm::vec4(1.0F), 1.0F);
+  std::array<scene::Material, 5> all{plain, plain, plain, plain, plain};
+  for (scene::Material& material : all) material.baseColorTexture = texture;
+  all[0].unlit = true;
+  all[1].emissive = glm::vec3(1.0F);
+  all[1].emissiveTexture = texture;
+  all[1].baseColor = {0.0F, 0.0F, 0.0F, 1.0F};
+  all[3].metallic = 1.0F;
+  all[3].roughness = 0.6F;
+  all[4].metallic = 1.0F;
+  all[4].metallicRoughnessTexture = {.image = builder.image(metals), .sampler = sharp};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float left = -1.0F + 0.4F * static_cast<float>(i);
+    const float right = left + 0.4F;
+    scene::Primitive quad;
+    scene::addQuad(quad, {left, -0.7F, 0}, {right, -0.7F, 0}, {right, 0.7F, 0}, {left, 0.7F, 0});
+    builder.addOnce(std::move(quad), builder.material(all[i]));
+  }
+  builder.light(scene::sun({0.3F, -0.4F, -1.0F}, {1.0F, 0.95F, 0.9F}, 2.0F));
+  builder.ambient({0.2F, 0.25F, 0.3F});
+  scene::Camera camera;
+  camera.position = {0.0F, 0.0F, 4.0F};
+  camera.verticalFov = 0.46F;
   builder.camera(camera);
   return std::move(builder).finish();
 }

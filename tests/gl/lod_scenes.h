@@ -21,6 +21,10 @@ namespace macula::test {
 /// even, and ends at the card's silhouette.
 [[nodiscard]] scene::Scene litCard();
 
+/// Five swatches side by side in one plane, of a fine random texture of three greys: unlit; a black
+/// surface that emits it; a dielectric; a metal; metal and dielectric in turn.
+[[nodiscard]] scene::Scene swatches();
+
 /// still() with veins, occlusion and a wide shadow filter.
 [[nodiscard]] scene::Scene richStill();
 

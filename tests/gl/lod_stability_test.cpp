@@ -134,6 +134,33 @@ TEST_F(GlTest, SurfaceColoursStayAtFullRate) {
   EXPECT_LT(light, 0.3 * all) << "even light carries nothing of the colours";
 }
 
+TEST_F(GlTest, ColoursOfEveryKindOfMaterialAreThoseOfFullRate) {
+  const scene::Scene scene = swatches();
+  const std::vector<float> full = draw(scene, resized(1.0), machine());
+  std::vector<passes::RenderSettings> all;
+  for (const double r : {1.5, 2.0, 4.0, 7.0}) all.push_back(by(Macula, r));
+  passes::RenderSettings foveated = resized(1.0);
+  foveated.foveation.enabled = true;
+  foveated.foveation.pixelsPerDegree = 6.0;
+  foveated.foveation.slope = 0.1;
+  all.push_back(foveated);
+  for (const passes::RenderSettings& settings : all) {
+    Bench bench(scene, settings, kSize, machine());
+    const passes::FrameResult result = bench.draw({0.1F, 0.1F});
+    const std::vector<float> got = radiance(bench);
+    float worst = 0.0F;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+      worst = std::max(worst, std::abs(full[i] - got[i]));
+    }
+    EXPECT_LT(worst, 0.02F) << "r " << settings.lod.resize;
+    EXPECT_LT(result.shading.shaded, result.shading.pixels * 3 / 4);
+  }
+  // Nor does the best sample bring the light of another kind.
+  passes::RenderSettings taps = by(Macula, 2.0);
+  taps.lod.holes = passes::Holes::Tap;
+  EXPECT_LT(rootMeanSquare(full, draw(scene, taps, machine())), 0.05);
+}
+
 TEST_F(GlTest, BrightSamplesStayFinite) {
   scene::Scene scene = still();
   scene.materials[0].emissive = glm::vec3(3000.0F);

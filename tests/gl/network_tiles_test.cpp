@@ -44,18 +44,24 @@ double speckleOf(const Bench& bench, glm::ivec2 size) {
 
 TEST_F(NetworkTiles, SpeckleNoMoreWhereTheySpeakForTiles) {
   const glm::ivec2 size(96, 96);
-  const scene::Scene scene = unlit(scene::makeMedley(0));
-  for (const OitSettings& way : ways(4.0)) {
-    // Unfilled budgets are divided with so little to spare that k hardly differs at all.
-    if (!way.fill) continue;
-    // Of several networks, because the budget's remainder falls here or there.
+  for (const OitSettings& way : ways(2.0)) {
+    // Bids alone: the thesis's network speckles as much either way (mean |dk| of neighbours over
+    // these scenes and weights 0.205 both for each pixel and for 4x4).
+    if (way.importance != passes::Predictor::Learned) continue;
+    // Of several scenes and networks, because the budget's remainder falls here or there: in one
+    // scene alone tiles may speckle more.
     double speckle[2]{};
-    for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
-      const OitSettings oit = random(way, seed);
-      for (const int tile : {1, 4}) {
-        Bench bench(scene, tiled(oit, tile), size, machine());
-        bench.draw();
-        speckle[tile / 4] += speckleOf(bench, size) / 6.0;
+    for (const std::uint32_t seed : {0U, 1U, 3U, 4U, 5U}) {
+      const scene::Scene scene = unlit(scene::makeMedley(seed));
+      for (const std::uint32_t weights : {1U, 2U, 3U}) {
+        const OitSettings oit = random(way, weights);
+        for (const int tile : {1, 4}) {
+          Bench bench(scene, tiled(oit, tile), size, machine());
+          bench.draw();
+          const double found = speckleOf(bench, size);
+          note("medley-" + std::to_string(seed) + " tile " + std::to_string(tile), found);
+          speckle[tile / 4] += found / 15.0;
+        }
       }
     }
     note(describe(way) + " tile 1", speckle[0]);

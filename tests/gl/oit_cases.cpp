@@ -21,8 +21,7 @@ scene::Scene sheets(const std::vector<Sheet>& list) {
     material.unlit = true;
     material.doubleSided = true;
     material.metallic = 0.0F;
-    material.baseColor = sheet.color;
-    material.emissive = glm::vec3(sheet.emissive);
+    material.baseColor = sheet.color + glm::vec4(glm::vec3(sheet.brightness), 0.0F);
     material.alphaMode = sheet.opaque ? scene::AlphaMode::Opaque : scene::AlphaMode::Blend;
     scene::Primitive quad;
     quad.material = static_cast<std::int32_t>(scene.materials.size());

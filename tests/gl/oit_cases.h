@@ -13,8 +13,8 @@ namespace macula::test {
 struct Sheet {
   float distance = 2.0F;  ///< metres ahead, on the view axis
   glm::vec4 color{1.0F, 1.0F, 1.0F, 0.5F};
-  float slope = 0.0F;     ///< metres farther for each metre to the right, -0.5 .. 0.5
-  float emissive = 0.0F;  ///< added to red, green and blue
+  float slope = 0.0F;       ///< metres farther for each metre to the right, -0.5 .. 0.5
+  float brightness = 0.0F;  ///< added to red, green and blue
   bool opaque = false;
 };
 

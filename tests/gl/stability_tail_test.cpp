@@ -103,12 +103,12 @@ std::vector<OitSettings> scarceCases() {
 constexpr glm::ivec2 kTiny{8, 6};
 constexpr int kLayers = 256;
 
-std::vector<Sheet> stack(float alpha, float emissive) {
+std::vector<Sheet> stack(float alpha, float brightness) {
   std::vector<Sheet> list;
   for (int i = 0; i < kLayers; ++i) {
-    // Emission grows along the stack, up to the given.
+    // Brightness grows along the stack, up to the given.
     list.push_back({1.0F + 0.02F * static_cast<float>(i), variedColor(i, alpha), 0.0F,
-                    emissive * static_cast<float>(i + 1) / kLayers});
+                    brightness * static_cast<float>(i + 1) / kLayers});
   }
   return list;
 }
@@ -150,8 +150,8 @@ TEST_F(Tails, LeaveEmptyLayersOut) {
 TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
   int images = 0;
   for (const float alpha : {1.0F, 0.999F, 0.5F, 0.004F}) {
-    for (const float emissive : {0.0F, 1e4F, 1e6F}) {
-      const scene::GpuScene gpu(sheets(stack(alpha, emissive)), nullptr);
+    for (const float brightness : {0.0F, 1e4F, 1e6F}) {
+      const scene::GpuScene gpu(sheets(stack(alpha, brightness)), nullptr);
       for (const OitSettings& oit : scarceCases()) {
         const passes::RenderSettings settings = settingsOf(oit);
         passes::FrameRenderer renderer(settings, machine());
@@ -160,7 +160,7 @@ TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
         renderer.render(scene::Camera{}, glm::vec2(0.5F));
         std::vector<float> rgb;
         renderer.readLinear(rgb);
-        EXPECT_TRUE(allFinite(rgb)) << describe(oit) << " alpha " << alpha << " " << emissive;
+        EXPECT_TRUE(allFinite(rgb)) << describe(oit) << " alpha " << alpha << " " << brightness;
         EXPECT_GE(*std::min_element(rgb.begin(), rgb.end()), 0.0F) << describe(oit);
         ++images;
       }
@@ -183,8 +183,8 @@ TEST_F(Tails, CountAsSlotsInTheHeatMap) {
   bare.draw();
   EXPECT_EQ(tailed.draw().layers->mean, 4.0);
   hottest.draw();
-  EXPECT_EQ(tailed.display(), bare.display());
-  EXPECT_NE(tailed.display(), hottest.display()) << "four of eight is not the end of the scale";
+  EXPECT_EQ(tailed.shown(), bare.shown());
+  EXPECT_NE(tailed.shown(), hottest.shown()) << "four of eight is not the end of the scale";
 }
 
 TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {
@@ -196,14 +196,14 @@ TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {
       {.method = "kb-variable", .kAve = 1.0, .fill = true, .tail = Tail::Mean},
       {.method = "kb-variable", .kAve = 2.0, .fill = true, .tail = Tail::Mean, .fragmentBytes = 8}};
   for (const float alpha : {1.0F, 0.5F}) {
-    for (const float emissive : {0.0F, 1e4F}) {
-      std::vector<Sheet> list = stack(alpha, emissive);
-      list.erase(list.begin(), list.begin() + kLayers / 2);  // emission from half on
+    for (const float brightness : {0.0F, 1e4F}) {
+      std::vector<Sheet> list = stack(alpha, brightness);
+      list.erase(list.begin(), list.begin() + kLayers / 2);  // brightness from half on
       glm::vec3 least(1e9F);
       glm::vec3 most(0.0F);
       for (const Sheet& sheet : list) {
-        least = glm::min(least, glm::vec3(sheet.color) + sheet.emissive);
-        most = glm::max(most, glm::vec3(sheet.color) + sheet.emissive);
+        least = glm::min(least, glm::vec3(sheet.color) + sheet.brightness);
+        most = glm::max(most, glm::vec3(sheet.color) + sheet.brightness);
       }
       const scene::Scene scene = sheets(list);
       for (const OitSettings& oit : tails) {

@@ -127,6 +127,23 @@ TEST(AutoOrbit, KeepsEveryVertexInASquareFrameAndFillsIt) {
   }
 }
 
+TEST(AutoOrbit, FramesAModelOfAnyScaleAlike) {
+  const auto scaled = [](float scale) {
+    Scene scene = cubeScene({-1, -1, -1}, {1, 2, 1});
+    scene.instances[0].transform = glm::mat4(scale);
+    scene.instances[0].transform[3][3] = 1.0F;
+    return scene;
+  };
+  const Camera metre = autoOrbit(scaled(1.0F)).at(5.0);
+  for (const float scale : {1e-12F, 1e-6F, 1e-4F, 1e-2F, 1e5F, 1e12F}) {
+    const Camera camera = autoOrbit(scaled(scale)).at(5.0);
+    EXPECT_LT(glm::distance(camera.position / scale, metre.position), 1e-4F) << scale;
+    EXPECT_LT(glm::distance(camera.target / scale, metre.target), 1e-4F) << scale;
+    EXPECT_NEAR(camera.nearPlane / scale, metre.nearPlane, 1e-4F) << scale;
+    EXPECT_NEAR(camera.farPlane / scale, metre.farPlane, 1e-4F) << scale;
+  }
+}
+
 TEST(AutoOrbit, TurnsOnceIn24SecondsAndStartsInFront) {
   const CameraPath path = autoOrbit(cubeScene({-1, -1, -1}, {1, 1, 1}));
   const glm::vec3 start = path.at(0).position;
@@ -219,6 +236,7 @@ TEST(CameraPathFile, NamesTheLineOfEveryMistake) {
   has(row("0,0,0,0,0,0,-1,180,0"), "line 2: vfov_deg is 180");
   has(row("0,0,0,0,0,0,-1,0,0"), "line 2: vfov_deg is 0");
   has(row("0,0,0,0,0,0,-1,45,2"), "line 2: cut is 2");
+  has(row("0,0,0,0,0,0,-1,45,true"), "line 2: cut is 'true'; write 0 or 1");
   has(row("-1,0,0,0,0,0,-1,45,0"), "line 2: time_s is -1");
   has(row("0,0,0,0,0,0,-1,45,0\n# note\n0,0,0,0,0,0,-1,45,0"), "line 4: time_s is 0 after 0");
 }

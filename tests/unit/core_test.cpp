@@ -16,7 +16,9 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/nearest.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
+#include "engine/core/shell.h"
 
 namespace macula {
 namespace {
@@ -69,6 +71,28 @@ TEST(NearestName, FindsLeastEditDistance) {
   EXPECT_EQ(nearestName("oit.kave", names), "oit.kAve");
   EXPECT_EQ(nearestName("oit.metod", names), "oit.method");
   EXPECT_EQ(nearestName("r", names), "lod.r");
+}
+
+TEST(NearestName, WhatBeginsWithTheNameGoesBeforeWhatIsShort) {
+  const std::vector<std::string> names = {"off", "yang2008", "yang2008b"};
+  EXPECT_EQ(nearestName("yang", names), "yang2008");
+  EXPECT_EQ(nearestName("YANG2", names), "yang2008");
+  EXPECT_EQ(nearestName("of", names), "off");
+}
+
+TEST(Plural, TheNounFollowsTheNumber) {
+  EXPECT_EQ(counted(0, "frame"), "0 frames");
+  EXPECT_EQ(counted(1, "frame"), "1 frame");
+  EXPECT_EQ(counted(2, "frame"), "2 frames");
+  EXPECT_EQ(counted(1, "image hash", "image hashes"), "1 image hash");
+  EXPECT_EQ(counted(3, "image hash", "image hashes"), "3 image hashes");
+  EXPECT_EQ(nounFor(1, "is", "are"), "is");
+}
+
+TEST(Shell, WordsAreReadBackAsTheyWere) {
+  EXPECT_EQ(shellCommand({"macula", "replay", "a b.glb", "--set", "k=1", ""}),
+            "macula replay 'a b.glb' --set k=1 ''");
+  EXPECT_EQ(shellQuoted("it's"), "'it'\\''s'");
 }
 
 TEST(NearestName, TakesFirstOfEqualsAndNothingOfNone) {

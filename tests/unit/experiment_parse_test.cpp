@@ -150,6 +150,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"sizes =", "seeds = [4, 4]\nsizes =", "x.toml:1:", "twice"},
         Fault{"{ k_ave = 2 }", "{ kave = 2 }", "x.toml:4:", "k_ave"},
         Fault{"{ share = 0.3 }", "{ share = 1.5 }", "x.toml:4:", "share"},
+        Fault{"{ share = 0.3 }", "{ share = 30 }", "x.toml:4:", "; write 0.3 for 30 %"},
+        Fault{"{ share = 0.3 }", "{ share = '30%' }", "x.toml:4:", "; write 0.3 for 30 %"},
         Fault{"{ k_ave = 2 }", "{ k_ave = 2, scenes = [\"smok\"] }", "x.toml:1:", "smoke"},
         Fault{"budgets = [{ k_ave = 2 }, { share = 0.3 }]", "", "x.toml:1:", "limited"},
         Fault{"id = \"limited\"", "id = \"exact\"", "x.toml:10:", "twice"},
@@ -164,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"sizes =", "path_frames = 2.5\nsizes =", "x.toml:3:", "path_frames"},
         Fault{"sizes =", "path_frame = 2\nsizes =", "x.toml:3:", "'path_frames'"},
         Fault{"sizes =", "path_fps = 0\nsizes =", "x.toml:3:", "path_fps"},
-        Fault{"sizes =", "flip_maps = 1\nsizes =", "x.toml:3:", "true or false"},
+        Fault{"sizes =", "flip_maps = 2\nsizes =", "x.toml:3:", "true or false"},
         Fault{"sizes =", "optional_scenes = \"a.glb\"\nsizes =", "x.toml:3:", "optional_scenes"},
         Fault{"sizes =", "optional_scenes = [\"smoke\"]\nsizes =", "x.toml:1:", "twice"},
         Fault{"sizes =", "compare = [[\"exakt\"]]\nsizes =", "x.toml:1:", "exact"},
@@ -177,7 +179,18 @@ INSTANTIATE_TEST_SUITE_P(
               "[[target]]\nname = \"t\"\nkind = \"value\"\nmetric = \"rmse\"\nof = \"exact\"\n"
               "limit = \"< 1\"\n[[variant]]",
               "x.toml:11:", "<= 1.25"},
-        Fault{"budgets = true\n", "budgets = 1\n", "x.toml:14:", "true or false"}));
+        Fault{"budgets = true\n", "budgets = 'yes'\n", "x.toml:14:", "true or false"}));
+
+TEST(ExperimentParse, BooleansAreThoseOfTheCommandLine) {
+  for (const char* on : {"true", "1", "\"on\"", "'true'"}) {
+    const std::string text = smallWith("sizes =", std::string("flip_maps = ") + on + "\nsizes =");
+    EXPECT_TRUE(parseExperiment(text, "x.toml").studies[0].flipMaps) << on;
+  }
+  for (const char* off : {"0", "\"off\""}) {
+    const std::string text = smallWith("sizes =", std::string("flip_maps = ") + off + "\nsizes =");
+    EXPECT_FALSE(parseExperiment(text, "x.toml").studies[0].flipMaps) << off;
+  }
+}
 
 TEST(ExperimentParse, MorePointsThanAnybodyWaitsForAreRefused) {
   std::string seeds = "seeds = [0";

@@ -100,7 +100,56 @@ TEST(ExperimentTarget, AnOrderMustFallStrictly) {
   EXPECT_EQ(state(0.4, 0.5, 0.6), TargetRow::State::Missed);
 }
 
-TEST(ExperimentTarget, AValueMayExcuseScenesThatFit) {
+TEST(ExperimentTarget, AnOrderOfNothingIsNotMet) {
+  Target target = ratioTarget();
+  target.kind = Target::Kind::Order;
+  target.metric = "fragments.loss";
+  target.against = {"a", "b", "c"};
+  const auto row = [&](double a, double b, double c) {
+    return judgeOne(target, {pointOf("a", "k_ave 2", 1, a), pointOf("b", "k_ave 2", 1, b),
+                             pointOf("c", "k_ave 2", 1, c)})[0];
+  };
+  EXPECT_EQ(row(0, 0, 0).state, TargetRow::State::NotApplicable);
+  EXPECT_EQ(row(0, 0, 0).reason, "everything fits");
+  EXPECT_EQ(row(0.5, 0, 0).state, TargetRow::State::NotApplicable);
+  EXPECT_EQ(row(0.5, 0, 0).reason, "b is at 0 already");
+  EXPECT_EQ(row(0.5, 0.1, 0).state, TargetRow::State::Met);
+  EXPECT_EQ(row(0, 0, 0.1).state, TargetRow::State::Missed) << "an exemption excuses no rise";
+  EXPECT_EQ(row(0, 0.1, 0).reason, "");
+}
+
+TEST(ExperimentTarget, ARatioOfNothingToNothingIsNotApplicable) {
+  Target target = ratioTarget();
+  target.metric = "fragments.loss";
+  const auto row =
+      judgeOne(target, {pointOf("a", "k_ave 2", 1, 0.0), pointOf("b", "k_ave 2", 1, 0.0)})[0];
+  EXPECT_EQ(row.state, TargetRow::State::NotApplicable);
+  EXPECT_EQ(row.reason, "both are 0");
+  EXPECT_EQ(
+      judgeOne(target, {pointOf("a", "k_ave 2", 1, 0.5), pointOf("b", "k_ave 2", 1, 0.0)})[0].state,
+      TargetRow::State::Unmeasured);
+}
+
+TEST(ExperimentTarget, SummariesAndJsonKeepWhatIsNotApplicableApart) {
+  Target target = ratioTarget();
+  target.kind = Target::Kind::Order;
+  target.metric = "fragments.loss";
+  target.against = {"a", "b"};
+  std::vector<Point> points;
+  for (const auto& [budget, b] : {std::pair{"k_ave 2", 0.2}, {"k_ave 4", 0.9}, {"k_ave 8", 0.0}}) {
+    points.push_back(pointOf("a", budget, 1, b == 0.0 ? 0.0 : 0.5));
+    points.push_back(pointOf("b", budget, 1, b));
+  }
+  const auto rows = judgeOne(target, points);
+  EXPECT_EQ(summaryOf(rows), "1 met, 1 missed, 1 n/a, 0 unmeasured");
+  const auto json = toJson(std::span<const TargetRow>(rows));
+  EXPECT_EQ(json[0]["state"], "met");
+  EXPECT_TRUE(json[0]["reason"].is_null());
+  EXPECT_EQ(json[2]["state"], "n/a");
+  EXPECT_EQ(json[2]["reason"], "everything fits");
+}
+
+TEST(ExperimentTarget, AValueMayLeaveOutScenesThatFit) {
   Target target = ratioTarget();
   target.kind = Target::Kind::Value;
   target.metric = "ms.passes.oit.capture";
@@ -109,7 +158,9 @@ TEST(ExperimentTarget, AValueMayExcuseScenesThatFit) {
   const std::vector<Point> fits{pointOf("a", "k_ave 2", 4.0, 0.0)};
   EXPECT_EQ(judgeOne(target, fits)[0].state, TargetRow::State::Missed);
   target.unlessAllStored = true;
-  EXPECT_EQ(judgeOne(target, fits)[0].state, TargetRow::State::Met);
+  EXPECT_EQ(judgeOne(target, fits)[0].state, TargetRow::State::NotApplicable);
+  EXPECT_EQ(judgeOne(target, fits)[0].reason, "everything fits");
+  EXPECT_TRUE(judgeOne(target, fits)[0].value);
   EXPECT_EQ(judgeOne(target, {pointOf("a", "k_ave 2", 4.0, 0.1)})[0].state,
             TargetRow::State::Missed);
 }

@@ -1,6 +1,7 @@
 // BIDS eye tracking: rows without a header, described by a JSON.
 #include <fstream>
 
+#include "engine/gaze/log_reader.h"
 #include "gaze_log_cases.h"
 #include "temporary_path.h"
 
@@ -49,6 +50,19 @@ TEST(Bids, TimesFromTheFrequencyWhereTheyHaveNoUnit) {
   EXPECT_EQ(said.samples.at(1).timeSeconds, 2.0);
 }
 
+TEST(Bids, ADotIsNoValueAndCuresWorkAsNamed) {
+  const GazeLog log = parseLog("1000\t   .\t   .\t0.0\t0\n1002\t250\t100\t3\t0\n", {}, kSidecar);
+  ASSERT_EQ(log.samples.size(), 2U);
+  expectLost(log.samples[0]);
+  expectPlace(log.samples[1], 0.25, 0.2);
+  // Without a column of times, no unit of times helps.
+  const std::string untimed = R"({"Columns": ["x_coordinate", "y_coordinate"],
+    "x_coordinate": {"Units": "0..1"}, "ScreenOrigin": ["top", "left"]})";
+  EXPECT_EQ(errorOfLog("0.5\t0.5\n", {}, untimed),
+            "log.csv: line 1: neither the unit of the timestamps nor SamplingFrequency is said; "
+            "write SamplingFrequency into its JSON");
+}
+
 TEST(Bids, BottomLeftAndBothEyes) {
   const std::string rows = "1\t250\t100\t3\t0\n";
   expectPlace(
@@ -76,10 +90,10 @@ TEST(Bids, WhatTheJsonDoesNotSayIsAskedFor) {
             "top-left, bottom-left, centre or centre-up");
   EXPECT_EQ(errorOfLog(rows, {}, changed("\"ScreenResolution\"", "\"Resolution\"")),
             "log.csv: line 1: pixels of a screen whose size is not said; give --gaze.screen "
-            "WIDTHxHEIGHT, or ScreenResolution in the JSON of the events");
+            "WIDTHxHEIGHT, or write ScreenResolution into its JSON");
   EXPECT_EQ(errorOfLog(rows, {.format = "bids"}),
-            "log.csv: line 1: a BIDS recording needs its JSON beside it; copy it there or give "
-            "--gaze.sidecar FILE.json");
+            "log.csv: line 1: a BIDS recording needs its JSON, as NAME.json beside NAME.tsv; copy "
+            "it there or give --gaze.sidecar FILE.json");
   EXPECT_EQ(errorOfLog(rows, {.format = "bids"}, "{\"Columns\": 5"),
             "log.csv: line 1: the JSON beside it lists no 'x_coordinate' in 'Columns'; check it");
   EXPECT_EQ(
@@ -104,6 +118,10 @@ TEST(Bids, FilesThatLieBesideTheRecording) {
   EXPECT_EQ(log.format, "bids");
   ASSERT_EQ(log.samples.size(), 2U);
   expectPlace(log.samples[0], 0.25, 0.2);
+  const auto beside = sidecarFiles(folder / "sub-01_task-look_recording-eye1_physio.tsv", {});
+  ASSERT_EQ(beside.size(), 2U);
+  EXPECT_EQ(beside[0].filename(), "sub-01_task-look_recording-eye1_physio.json");
+  EXPECT_EQ(beside[1].filename(), "sub-01_task-look_events.json");
   std::filesystem::remove_all(folder);
 }
 

@@ -86,7 +86,7 @@ TEST(GazeBase, DegreesFromTheCentreUpwards) {
   expectLost(log.samples[3]);
   EXPECT_EQ(describe(log.coordinates),
             "deg (format), origin centre, y up (format), of the screen; degrees mapped by "
-            "display.* 500x250 mm at 1000 mm");
+            "a display of 500x250 mm (assumed) at 1000 mm (assumed)");
 }
 
 TEST(GazeBase, OriginByASetting) {

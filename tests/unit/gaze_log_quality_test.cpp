@@ -84,6 +84,28 @@ TEST(GazeLogQuality, IntervalsInBinsGiveTheirMedianAndDeviation) {
   EXPECT_GT(days.median(), 0.0);
 }
 
+/// The rate of a steady tracker whose clock counts in ticks; where it loses samples, every 50th.
+double rateOnACoarseClock(double hertz, double tick, bool loses) {
+  QualityMeter meter;
+  for (int i = 0; i < 3000; ++i) {
+    if (loses && i % 50 == 49) continue;
+    GazeSample sample;
+    sample.timeSeconds = std::round(i / hertz / tick) * tick;
+    meter.add(sample);
+  }
+  return meter.quality().rateHz;
+}
+
+TEST(GazeLogQuality, RatesOfClocksThatCountWholeMillisecondsOrTenths) {
+  for (const double hertz : {30.0, 50.0, 60.0, 90.0, 120.0, 300.0, 600.0, 1000.0, 1200.0}) {
+    for (const double tick : {1e-3, 1e-4, 1e-6}) {
+      EXPECT_NEAR(rateOnACoarseClock(hertz, tick, false), hertz, 1e-3 * hertz) << tick;
+      EXPECT_NEAR(rateOnACoarseClock(hertz, tick, true), hertz, 5e-3 * hertz) << tick;
+    }
+  }
+  EXPECT_NEAR(rateOnACoarseClock(60.0, 1e-2, false), 60.0, 0.1);
+}
+
 TEST(GazeLogQuality, GapsOfDaysAreCountedAndNothingIsIntegratedOverThem) {
   const GazeLog log = parseLog(
       "time_s,x,y,valid\n0,0.1,0.5,1\n0.01,0.1001,0.5,1\n259200,0.9,0.5,1\n259200.01,0.9001,0.5,"
@@ -201,10 +223,12 @@ TEST(GazeLogReader, ConversionSaysWhatTheCoordinatesWere) {
   const std::filesystem::path out = folder / "macula_convert_places.csv";
   writeFileAtomically(in, "n,x,y,val\n0,0,0,0\n");
   (void)convertGazeLog(in, out);
-  EXPECT_EQ(readTextFile(out),
-            "# converted from gazebase; coordinates were deg (format), origin centre, y up "
-            "(format), of the screen; degrees mapped by display.* 597x336 mm at 750 mm\n"
-            "time_s,x,y,valid\n0,0.5,0.5,1\n");
+  EXPECT_EQ(
+      readTextFile(out),
+      "# converted from gazebase; coordinates were deg (format), origin centre, y up "
+      "(format), of the screen; degrees mapped by a display of 597x336 mm (assumed) at 750 mm "
+      "(assumed)\n"
+      "time_s,x,y,valid\n0,0.5,0.5,1\n");
   std::filesystem::remove_all(folder);
 }
 

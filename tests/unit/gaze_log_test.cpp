@@ -128,19 +128,57 @@ TEST(GazeLogFile, WhatIsNoGazeLogIsRefusedInOneLine) {
   EXPECT_TRUE(errorOf("\n\nid,name\n1,bob\n")
                   .starts_with("log.csv: line 3: not the first line of a gaze log; give one of "
                                "macula-csv (time_s,x,y,valid), tobii-studio "));
-  EXPECT_EQ(errorOf("1\t2\t3\n4\t5\t6\n"),
-            "log.csv: line 1: numbers without a header; a BIDS recording needs its JSON beside it, "
-            "or give --gaze.sidecar FILE.json");
+  EXPECT_EQ(
+      errorOf("1\t2\t3\n4\t5\t6\n"),
+      "log.csv: line 1: numbers without a header; a BIDS recording needs its JSON, as NAME.json "
+      "beside NAME.tsv, or give --gaze.sidecar FILE.json");
   EXPECT_EQ(errorOf(std::string(200000, 'a')),
             "log.csv: line 1: longer than 65536 bytes, so not a gaze log; check the file");
   EXPECT_EQ(errorOf("time_s,x,y,valid\n0,0.5,0.5,1\n" + std::string(70000, '7')),
             "log.csv: line 3: longer than 65536 bytes, so not a gaze log; check the file");
-  EXPECT_NE(errorOf(std::string("\0\x01\x02\xFF\n\0\n", 7)).find("line 1: not the first line"),
-            std::string::npos);
   EXPECT_EQ(errorOf("time_s,x,y,valid\n0,0,0,1\n", "macula-cvs"),
             "gaze format 'macula-cvs' is unknown; the nearest is 'macula-csv'");
   EXPECT_EQ(errorOf("time_s,x,y,valid\n0,0,0,1\n", "tobii-studio"),
+            "log.csv: line 1: gaze.format says tobii-studio, but the file is macula-csv; leave it "
+            "out, or give macula-csv");
+  EXPECT_EQ(errorOf("a,b\n1,2\n", "tobii-studio"),
             "log.csv: line 1: column 'GazePointX' is missing; export it too");
+  EXPECT_EQ(errorOf("ID,NAME\nA,B\n", "eyelink"),
+            "log.csv: line 2: no gaze sample follows the header; record or export again, or leave "
+            "out gaze.format where it is not eyelink");
+  EXPECT_EQ(errorOf("time_s,x,y,valid\n1\n2\n"),
+            "log.csv: line 2: 1 cell under a header of 4; write '.' as decimal mark, ',' between");
+}
+
+TEST(GazeLogFile, WhatIsSomethingElseIsCalledByItsName) {
+  const std::string binary = "log.csv: binary data, not a gaze log; export the gaze as CSV or TSV";
+  const std::string scene =
+      "log.csv: a glTF scene, not a gaze log; give it in place of SCENE, and a log as --gaze";
+  EXPECT_EQ(errorOf(std::string("\0\x01\x02\xFF\n\0\n", 7)), binary);
+  EXPECT_EQ(errorOf(std::string("\x7F") + "ELF\x02\x01\x01"), binary);
+  EXPECT_EQ(errorOf(std::string("\x7F") + "ELF\x02\x01\x01", "tobii-sdk"), binary);
+  EXPECT_EQ(errorOf(std::string("glTF\2\0\0\0", 8)), scene);
+  EXPECT_EQ(errorOf("{\n  \"asset\": {\"version\": \"2.0\"}}"), scene);
+  const auto begins = [](const std::string& text, const std::string& start) {
+    EXPECT_TRUE(errorOf(text).starts_with("log.csv: " + start)) << errorOf(text);
+  };
+  begins("{\"Columns\": []}", "JSON, not a gaze log; ");
+  begins("SR_RESEARCH_COMBINED_FILE\n", "an EyeLink EDF, not text; convert it with edf2asc");
+  begins("PK\x03\x04zip", "a ZIP archive or a spreadsheet (.xlsx); ");
+  begins("<REC TIME=\"1\" />\n", "XML or HTML");
+  begins("# a path\ntime_s,x,y,z,target_x,target_y,target_z\n0,1,1,1,0,0,0\n",
+         "line 2: a camera path, not a gaze log; give it as --camera");
+  begins("RECORDING_SESSION_LABEL\tTIMESTAMP\n", "line 1: an EyeLink Data Viewer report");
+  begins("## [BeGaze]\nTime\tType\tTrial\tL POR X [px]\n", "line 2: an SMI BeGaze export");
+  begins("session_id,time,left_gaze_x\n", "line 1: gaze of PsychoPy's ioHub");
+  begins("n,x,y,lx,ly,clx\n", "line 1: GazeBaseVR");
+}
+
+TEST(GazeCsv, SemicolonsAndDecimalCommasOfASpreadsheet) {
+  const GazeLog log = parse("time_s;x;y;valid\n0;0,25;0,5;1\n0,02;0,75;0,5;1\n");
+  ASSERT_EQ(log.samples.size(), 2U);
+  expectPlace(log.samples[0], 0.25, 0.5);
+  EXPECT_EQ(log.samples[1].timeSeconds, 0.02);
 }
 
 TEST(GazeLogFile, PathsThatCannotBeReadAreRefused) {

@@ -106,10 +106,21 @@ TEST(ReplayGaze, HoldsAfterTheEndThenEasesToTheCentre) {
   const PointOfInterest easing = replay.at(1.21);
   EXPECT_EQ(easing.state, GazeState::Easing);
   EXPECT_NEAR(glm::distance(easing.position, held.position), 0.02, 1e-5);
-  const PointOfInterest lost = replay.at(3.0);
-  EXPECT_EQ(lost.state, GazeState::Lost);
-  EXPECT_EQ(lost.position, glm::vec2(0.5F));
-  EXPECT_FLOAT_EQ(lost.raw.x, 0.6F);
+  const PointOfInterest ended = replay.at(3.0);
+  EXPECT_EQ(ended.state, GazeState::Ended);
+  EXPECT_EQ(stateName(ended.state), "ended");
+  EXPECT_EQ(ended.position, glm::vec2(0.5F));
+  EXPECT_FLOAT_EQ(ended.raw.x, 0.6F);
+  EXPECT_EQ(replay.endSeconds(), 1.0);
+}
+
+TEST(ReplayGaze, ALossBeforeTheEndIsLostAndAfterItEnded) {
+  GazeLog log = ramp();
+  for (std::size_t i = 1; i < 100; ++i) log.samples[i].timeSeconds += 100.0;
+  log.samples.resize(100);  // silence for 100 s, then the rest until 100.99 s
+  ReplayGaze replay(std::move(log));
+  EXPECT_EQ(replay.at(50.0).state, GazeState::Lost);
+  EXPECT_EQ(replay.at(110.0).state, GazeState::Ended);
 }
 
 TEST(ReplayGaze, SeesABlinkBetweenTwoFrames) {
@@ -157,7 +168,7 @@ void expectSound(const GazeLog& log, double seconds) {
     previous = point;
   }
   EXPECT_GT(notOk, 0);
-  EXPECT_EQ(previous.state, GazeState::Lost);
+  EXPECT_EQ(previous.state, GazeState::Ended);
 }
 
 TEST(ReplayGaze, RealRecordingStaysOnTheWindowWithoutJumps) {

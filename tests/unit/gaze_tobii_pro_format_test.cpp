@@ -67,6 +67,50 @@ TEST(TobiiProLab, ScreenIsAskedForWhereTheFileDoesNotSayIt) {
   expectPlace(parseLog(text, {.screen = "1000x1000"}).samples.at(0), 0.5, 0.25);
 }
 
+TEST(TobiiProLab, GlassesGivePixelsOfTheirSceneCamera) {
+  const std::string suffixed =
+      "Recording timestamp [ms]\tSensor\tGaze point X [MCS px]\tGaze point Y [MCS px]\t"
+      "Recording media width [px]\tRecording media height [px]\n";
+  const std::string old =
+      "Recording timestamp\tSensor\tGaze point X\tGaze point Y\tRecording media width\t"
+      "Recording media height\n";
+  const std::string rows =
+      "5\tGyroscope\t\t\t1920\t1080\n20\tEye Tracker\t480\t540\t1920\t1080\n40\tEye "
+      "Tracker\t\t\t1920\t1080\n";
+  for (const std::string& header : {suffixed, old}) {
+    const GazeLog log = parseLog(header + rows, {.timeUnit = TimeUnit::Milliseconds});
+    ASSERT_EQ(log.samples.size(), 2U);
+    expectPlace(log.samples[0], 0.25, 0.5);
+    expectLost(log.samples[1]);
+    EXPECT_TRUE(isOfSceneCamera(log.coordinates)) << describe(log.coordinates);
+    EXPECT_EQ(log.coordinates.screenPixels, glm::dvec2(1920, 1080));
+    // A size by a setting does not make the camera a screen.
+    EXPECT_TRUE(isOfSceneCamera(
+        parseLog(header + rows, {.timeUnit = TimeUnit::Milliseconds, .screen = "960x540"})
+            .coordinates));
+  }
+  EXPECT_EQ(errorOfLog(old + rows),
+            "log.csv: line 1: 'Recording timestamp' has no unit; give --gaze.timeUnit ms or us");
+  const std::string noSize =
+      "Recording timestamp [ms]\tSensor\tGaze point X [MCS px]\t"
+      "Gaze point Y [MCS px]\n20\tEye Tracker\t480\t540\n";
+  EXPECT_EQ(errorOfLog(noSize),
+            "log.csv: line 2: pixels of a medium whose size is not said; give --gaze.screen "
+            "WIDTHxHEIGHT");
+  expectPlace(parseLog(noSize, {.screen = "1920x1080"}).samples.at(0), 0.25, 0.5);
+  EXPECT_EQ(errorOfLog("Recording timestamp [ms]\tSensor\tFixation point X\n1\tEye Tracker\t5\n"),
+            "log.csv: line 1: column 'Gaze point X' is missing; export it too");
+}
+
+TEST(TobiiProLab, OldNamesBesideAResolutionAreOfTheScreen) {
+  const GazeLog log = parseLog(
+      "Recording timestamp [ms]\tSensor\tGaze point X\tGaze point Y\tRecording resolution width\t"
+      "Recording resolution height\tRecording media width\tRecording media height\n"
+      "20\tEye Tracker\t480\t540\t1920\t1080\t800\t600\n");
+  expectPlace(log.samples.at(0), 0.25, 0.5);
+  EXPECT_EQ(log.coordinates.of, "screen");
+}
+
 TEST(TobiiProLab, SentinelsThatAreCalledValid) {
   const GazeLog log = parseLog(kLab + labRow("10", "0\t0\t0\t0\t0\t0", "\t", "Valid\tValid") +
                                labRow("26", "\t\t-1280\t-1280\t400\t300", "\t", "Valid\tValid"));

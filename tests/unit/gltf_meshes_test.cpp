@@ -69,7 +69,7 @@ TEST(GltfMeshes, MalformedReferencesAreRefused) {
   Square square;
   square.attributes["COLOR_0"] = square.attribute<float>({1, 1, 1}, kF32, "VEC3", 1);
   square.draw({{"attributes", square.attributes}});
-  EXPECT_SAYS(messageOf(square), "COLOR_0 has 1 elements for 4 positions");
+  EXPECT_SAYS(messageOf(square), "COLOR_0 has 1 element for 4 positions");
   Square accessor;
   accessor.attributes["TEXCOORD_0"] = 99;
   accessor.draw({{"attributes", accessor.attributes}});
@@ -175,7 +175,7 @@ TEST(GltfMeshes, TrianglesThatAreNotFiniteAreDropped) {
   square.draw({{"attributes", square.attributes}, {"mode", 5}});
   const Scene scene = square.load();
   EXPECT_EQ(scene.primitives.at(0).indices, (Indices{0, 1, 2}));
-  EXPECT_TRUE(warns(scene, "1 triangles with coordinates that are not finite"));
+  EXPECT_TRUE(warns(scene, "1 triangle with coordinates that are not finite"));
   EXPECT_EQ(boundsOf(scene).max, glm::vec3(1, 1, 0));
 }
 

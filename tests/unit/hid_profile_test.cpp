@@ -69,6 +69,16 @@ TEST(HidProfile, SharesAreTheDefaultAndNeedNoScreen) {
   EXPECT_TRUE(gaze.valid);
 }
 
+TEST(HidProfile, BooleansAreThoseOfTheCommandLine) {
+  const auto isSigned = [](const std::string& word) {
+    std::string text = kMinimal;
+    text.replace(text.find("bit = 8, "), 9, "bit = 8, signed = " + word + ", ");
+    return parseProfile(text, "t").layout.gaze.x.isSigned;
+  };
+  for (const char* on : {"true", "\"on\"", "1"}) EXPECT_TRUE(isSigned(on)) << on;
+  for (const char* off : {"false", "\"off\"", "0"}) EXPECT_FALSE(isSigned(off)) << off;
+}
+
 TEST(HidProfile, MillimetresNeedTheScreensSize) {
   const std::string text = "unit = \"um\"\n" + kMinimal;
   EXPECT_THAT(refusal(text), ::testing::HasSubstr("'screen.width' is missing"));

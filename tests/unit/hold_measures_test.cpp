@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace macula::control {
@@ -23,6 +24,7 @@ std::vector<HeldFrame> heldFrames() {
   std::vector<HeldFrame> frames(100, frameOf(24.0, 4.0, 2.0));
   frames.insert(frames.end(), 3, frameOf(48.0, 4.0, 2.0));  // 16 ms
   frames.insert(frames.end(), 97, frameOf(48.0, 4.0, 2.828427));
+  for (std::size_t i = 100; i < frames.size(); ++i) frames[i].load = 2;
   return frames;
 }
 
@@ -30,10 +32,10 @@ TEST(HoldMeasures, ByHand) {
   const std::vector<HeldFrame> frames = heldFrames();
   const HoldMeasures m = measureHold({10.0, 4.0, frames, {100}});
   ASSERT_EQ(m.parts.size(), 2U);
-  EXPECT_NEAR(m.parts[0].idealResize, 2.0, 1e-9);
-  EXPECT_NEAR(m.parts[1].idealResize, 2.828427, 1e-6);
-  EXPECT_NEAR(m.parts[1].workMs, 48.0, 1e-9);
-  EXPECT_NEAR(m.parts[1].restMs, 4.0, 1e-9);
+  EXPECT_NEAR(m.parts[0].model.idealResize, 2.0, 1e-9);
+  EXPECT_NEAR(m.parts[1].model.idealResize, 2.828427, 1e-6);
+  EXPECT_NEAR(m.parts[1].model.workMs, 48.0, 1e-9);
+  EXPECT_NEAR(m.parts[1].model.restMs, 4.0, 1e-9);
   EXPECT_EQ(m.parts[0].settleFrames, 0U);
   // The median of 16, 16, 10, 10, 10 is in: two late frames are outvoted.
   EXPECT_EQ(m.parts[1].settleFrames, 1U);
@@ -61,6 +63,14 @@ TEST(HoldMeasures, TheSpreadOfTheFixedRWidensTheGateAlone) {
   EXPECT_EQ(m.met, true);
   for (HeldFrame& frame : frames) frame.fixedMs = 20.0;
   EXPECT_EQ(measureHold({10.0, 4.0, frames, {}}).met, false);
+  // Times that spread by more than themselves make nothing held.
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].ms = i % 2 == 0 ? 5.0 : 14.0;
+    frames[i].fixedMs = i % 3 == 0 ? 10.0 : i % 3 == 1 ? 20.0 : 50.0;
+  }
+  EXPECT_GT(measureHold({10.0, 4.0, frames, {}}).fixedSpread, 1.0);
+  EXPECT_EQ(measureHold({10.0, 4.0, frames, {}}).tolerance, kMostTolerance);
+  EXPECT_EQ(measureHold({10.0, 4.0, frames, {}}).met, false);
 }
 
 TEST(HoldMeasures, ACameraThatMovesIsNoSpread) {
@@ -76,16 +86,16 @@ TEST(HoldMeasures, ACameraThatMovesIsNoSpread) {
 TEST(HoldMeasures, FullRateInTimeIsHeldAndATargetOutOfReachIsNot) {
   const std::vector<HeldFrame> easy(50, frameOf(5.0, 1.0, 1.0));
   const HoldMeasures fits = measureHold({10.0, 4.0, easy, {}});
-  EXPECT_EQ(fits.parts[0].idealResize, 1.0);
-  EXPECT_NEAR(fits.parts[0].reachableMs, 6.0, 1e-9);
+  EXPECT_EQ(fits.parts[0].model.idealResize, 1.0);
+  EXPECT_NEAR(fits.parts[0].model.reachableMs, 6.0, 1e-9);
   EXPECT_EQ(fits.met, true);
   // The same time at r = 2 is not: there was room for more pixels.
   const std::vector<HeldFrame> timid(50, frameOf(20.0, 1.0, 2.0));
   EXPECT_EQ(measureHold({10.0, 4.0, timid, {}}).met, false);
   const std::vector<HeldFrame> hard(50, frameOf(16.0, 12.0, 4.0));
   const HoldMeasures fails = measureHold({10.0, 4.0, hard, {}});
-  EXPECT_EQ(fails.parts[0].idealResize, 4.0);
-  EXPECT_NEAR(fails.parts[0].reachableMs, 13.0, 1e-9);
+  EXPECT_EQ(fails.parts[0].model.idealResize, 4.0);
+  EXPECT_NEAR(fails.parts[0].model.reachableMs, 13.0, 1e-9);
   EXPECT_EQ(fails.met, false);
   EXPECT_EQ(fails.over110, 1.0);
   EXPECT_EQ(fails.parts[0].settleFrames, std::nullopt);
@@ -126,6 +136,68 @@ TEST(HoldMeasures, WhatIsTooShortIsNotJudged) {
   EXPECT_EQ(m.parts[0].usedPixels, std::nullopt);
   EXPECT_EQ(m.parts[1].settleFrames, 0U);
   EXPECT_EQ(m.parts[1].usedPixels, std::nullopt);
+}
+
+TEST(HoldMeasures, ALoadHasOneIdealWhereverItIsAndSaysWhatLimitsIt) {
+  // Once, twice, once again; the camera has moved to cheaper pixels by then.
+  std::vector<HeldFrame> frames(40, frameOf(24.0, 4.0, 2.0));
+  frames.insert(frames.end(), 40, frameOf(48.0, 4.0, 2.828427));
+  frames.insert(frames.end(), 30, frameOf(20.0, 4.0, 1.825742));
+  for (std::size_t i = 40; i < 80; ++i) frames[i].load = 2;
+  const HoldMeasures m = measureHold({10.0, 4.0, frames, {40, 80}});
+  ASSERT_EQ(m.loads.size(), 2U);
+  ASSERT_EQ(m.parts.size(), 3U);
+  EXPECT_EQ(m.loads[1].times, 2);
+  EXPECT_NEAR(m.loads[0].model.idealResize, 2.0, 1e-9);  // the median of 70 frames
+  for (const HoldPart& part : m.parts) {
+    const auto load = std::ranges::find(m.loads, part.load, &HoldLoad::times);
+    EXPECT_EQ(part.model.idealResize, load->model.idealResize);
+  }
+  const auto limit = [](double work, double rest) {
+    const ResizeModel model = modelOf(std::vector<HeldFrame>{frameOf(work, rest, 2.0)}, 10.0, 4.0);
+    return std::pair(textOf(model.limit, 4.0), model.idealResize);
+  };
+  EXPECT_EQ(limit(24.0, 4.0), std::pair(std::string("target within reach"), 2.0));
+  EXPECT_EQ(limit(5.0, 4.0), std::pair(std::string("r at its end 1"), 1.0));
+  EXPECT_EQ(limit(200.0, 4.0), std::pair(std::string("r at its end 4"), 4.0));
+  EXPECT_EQ(limit(24.0, 10.0),
+            std::pair(std::string("floor of the cost that does not shrink"), 4.0));
+  EXPECT_EQ(limit(0.0, 4.0), std::pair(std::string("nothing is computed at 1/r"), 1.0));
+}
+
+TEST(HoldMeasures, TheIdealIsThatOfRAlone) {
+  // Of 12 ms that do not shrink, fewer layers take 6 away: the target is met, and not by r.
+  std::vector<HeldFrame> frames(12, frameOf(48.0, 12.0, 4.0));
+  frames.insert(frames.end(), 100, frameOf(48.0, 6.0, 4.0));
+  for (std::size_t i = 12; i < frames.size(); ++i) frames[i].othersAtRest = false;
+  const HoldMeasures m = measureHold({10.0, 4.0, frames, {}});
+  EXPECT_EQ(m.loads[0].model.limit, ResizeLimit::Floor);
+  EXPECT_EQ(m.loads[0].model.idealResize, 4.0);
+  EXPECT_EQ(m.parts[0].usedPixels, 1.0);
+}
+
+TEST(HoldMeasures, HeldIsSaidOfWhatWasHeld) {
+  std::vector<HeldFrame> frames = heldFrames();
+  EXPECT_EQ(verdictOf(measureHold({10.0, 4.0, frames, {100}})), "held");
+  for (std::size_t i = 180; i < 200; ++i) frames[i].ms = 16.0;  // a fifth of the second load
+  HoldMeasures m = measureHold({10.0, 4.0, frames, {100}});
+  EXPECT_EQ(m.parts[0].met, true);
+  EXPECT_EQ(m.parts[1].met, false);
+  EXPECT_NEAR(m.parts[1].within, 7.0 / 9.0, 1e-9);
+  EXPECT_NEAR(m.withinTolerance, 8.0 / 9.0, 1e-9);
+  EXPECT_EQ(verdictOf(m), "held in part");
+  for (std::size_t i = 0; i < 100; ++i) frames[i].ms = 16.0;
+  EXPECT_EQ(verdictOf(measureHold({10.0, 4.0, frames, {100}})), "not held");
+  frames.resize(9);
+  m = measureHold({10.0, 4.0, frames, {}});
+  EXPECT_EQ(m.parts[0].met, std::nullopt);
+  EXPECT_EQ(verdictOf(m), "not judged");
+  // 90 % of all frames are not 90 % of each part: the gate is met, and a short load was not held.
+  std::vector<HeldFrame> uneven(400, frameOf(24.0, 4.0, 2.0));
+  for (std::size_t i = 370; i < 400; ++i) uneven[i].ms = 16.0;
+  m = measureHold({10.0, 4.0, uneven, {360}});
+  EXPECT_EQ(m.met, true);
+  EXPECT_EQ(verdictOf(m), "held in part");
 }
 
 TEST(HoldMeasures, NothingToShadeLeavesR) {

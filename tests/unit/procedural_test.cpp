@@ -390,8 +390,13 @@ std::string messageOf(const std::string& name) {
 
 TEST(LoadScene, ExplainsWrongNames) {
   EXPECT_EQ(messageOf("galery"),
-            "galery: no such scene or file; did you mean 'gallery'? 'macula scene list' names all "
-            "scenes");
+            "galery: no such scene; the nearest is 'gallery' of gallery, smoke, bottles, hair, "
+            "greenhouse, hairball, car, marble, chess, layers-N, medley-N; or name a .gltf or .glb "
+            "file");
+  EXPECT_NE(messageOf("Layer-64").find("nearest is 'layers-N'"), std::string::npos);
+  for (const char* path : {"nowhere/smoke", "./smoke", "house.obj", "../house.gltf"}) {
+    EXPECT_EQ(messageOf(path), std::string(path) + ": no such file; check the path");
+  }
   for (const char* name : {"layers-0", "layers--1", "layers-", "layers-4097", "layers-4x",
                            "layers-99999999999999999999"}) {
     EXPECT_NE(messageOf(name).find("choose 1 to 4096"), std::string::npos) << messageOf(name);

@@ -151,8 +151,11 @@ TEST(RecordingReader, ALineThatWasCutOffIsDroppedAndCounted) {
 
 TEST(RecordingReader, AnyOtherDamageIsNamedWithItsLine) {
   const auto message = [](const char* good, const char* bad) { return messageFor(good, bad); };
-  EXPECT_EQ(message("\"cut\":false", "\"cut\":0"),
-            "frames.jsonl: line 2: 'cut' is neither true nor false");
+  EXPECT_EQ(message("\"cut\":false", "\"cut\":2"),
+            "frames.jsonl: line 2: 'cut' is neither true nor false; write one of them");
+  for (const char* off : {"0", "\"off\""}) {
+    EXPECT_EQ(message("\"cut\":false", (std::string("\"cut\":") + off).c_str()), "no error") << off;
+  }
   EXPECT_THAT(message("{", ""), HasSubstr("frames.jsonl: line 2: byte 8: is no JSON"));
   EXPECT_THAT(message("\"r\":1", "\"r\":1,\"leverz\":{}"),
               HasSubstr("line 2: 'leverz' is not known; the nearest is"));

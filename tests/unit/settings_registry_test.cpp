@@ -118,7 +118,8 @@ TEST_F(RegistryTest, RefusedValueLeavesTheFieldAndNamesAll) {
             "blend, ab-sbuffer, kb-variable");
   EXPECT_EQ(messageOf("ssaa", "3"), "here: '3' is out of range; ssaa takes one of 1, 2, 4");
   EXPECT_EQ(messageOf("oit.fill", "maybe"),
-            "here: 'maybe' is neither on nor off; oit.fill takes on or off (true/false, 1/0)");
+            "here: 'maybe' is neither on nor off; oit.fill takes true or false, \"on\" or \"off\", "
+            "1 or 0");
   EXPECT_EQ(messageOf("background", "0,0"),
             "here: '0,0' is not three finite numbers; background takes R,G,B, each >= 0");
   EXPECT_EQ(fields_.kAve, 8.0);
@@ -192,6 +193,97 @@ TEST_F(RegistryTest, SetsFromValues) {
   EXPECT_THROW(registry_.at("background", "t").set(infinite), InputError);
   registry_.reset();
   EXPECT_EQ(fields_.kAve, 8.0);
+}
+
+TEST_F(RegistryTest, BooleansAreTakenAsFilesWriteThem) {
+  Entry& fill = registry_.at("oit.fill", "t");
+  for (const Value& on : {Value{true}, Value{std::string("on")}, Value{std::string("true")},
+                          Value{std::string("1")}, Value{std::int64_t{1}}}) {
+    fill.set(false);
+    fill.set(on);
+    EXPECT_EQ(fill.get(), Value{true}) << formatValue(on);
+  }
+  for (const Value& off : {Value{false}, Value{std::string("off")}, Value{std::string("false")},
+                           Value{std::string("0")}, Value{std::int64_t{0}}}) {
+    fill.set(true);
+    fill.set(off);
+    EXPECT_EQ(fill.get(), Value{false}) << formatValue(off);
+  }
+  for (const Value& bad : {Value{std::int64_t{2}}, Value{std::int64_t{-1}}, Value{1.0},
+                           Value{std::string("yes")}, Value{std::string("")}}) {
+    EXPECT_THROW(fill.set(bad), InputError) << formatValue(bad);
+  }
+}
+
+TEST_F(RegistryTest, APercentageIsRefusedWithTheShareToWrite) {
+  double part = 0.5;
+  registry_.add({.key = "part", .share = true}, part, {.min = 0, .minExclusive = true, .max = 1});
+  EXPECT_EQ(messageOf("part", "90"),
+            "here: '90' is out of range; part takes a number > 0 and <= 1; write 0.9 for 90 %");
+  EXPECT_EQ(messageOf("part", "12.5 %"),
+            "here: '12.5 %' is not a finite number; part takes a number > 0 and <= 1; write 0.125 "
+            "for 12.5 %");
+  EXPECT_EQ(messageOf("part", "0.5%").substr(0, 13), "here: '0.5%' ");
+  EXPECT_NE(messageOf("part", "0.5%").find("write 0.005 for 0.5 %"), std::string::npos);
+  // Neither a percentage nor a share, or rather a share that is too large.
+  for (const char* bad : {"101", "-3", "0", "0%", "1.5", "%", "x%", "nan"}) {
+    EXPECT_EQ(messageOf("part", bad).find("write"), std::string::npos) << bad;
+  }
+  // No share.
+  EXPECT_EQ(messageOf("ssaa", "50").find("write"), std::string::npos);
+  EXPECT_EQ(part, 0.5);
+}
+
+class RivalsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    registry_.add({.key = "oit.kAve", .alias = "k-ave", .unit = "fragments/sample"}, average_);
+    registry_.add({.key = "oit.memoryMiB", .alias = "oit-memory", .unit = "MiB"}, memory_);
+    registry_.addRivals("oit.kAve", "oit.memoryMiB");
+  }
+
+  std::string check() {
+    try {
+      registry_.checkRivals();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  double average_ = 4.0;
+  double memory_ = 0.0;
+  Registry registry_;
+};
+
+TEST_F(RivalsTest, OnlyBothTogetherAreRefused) {
+  EXPECT_EQ(check(), "no error");
+  registry_.setText("oit.memoryMiB", "8", "--oit-memory");
+  EXPECT_EQ(check(), "no error") << "the other holds its default";
+  registry_.setText("oit.kAve", "4", "x.toml:3: oit.kAve");
+  EXPECT_EQ(check(),
+            "x.toml:3: oit.kAve and --oit-memory cannot hold together; drop oit.kAve to keep 8 "
+            "MiB, or --oit-memory to keep 4 fragments/sample");
+  registry_.setText("oit.memoryMiB", "0", "--oit-memory");
+  EXPECT_EQ(check(), "no error") << "0 means by the other";
+  registry_.reset();
+  registry_.setText("oit.memoryMiB", "8", "--oit-memory");
+  EXPECT_EQ(check(), "no error") << "what was reset is no longer given";
+  EXPECT_THROW(registry_.addRivals("oit.kAve", "nothing"), std::logic_error);
+}
+
+TEST_F(RivalsTest, TheHiddenOneIsFound) {
+  Entry& average = registry_.at("k-ave", "t");
+  Entry& memory = registry_.at("oit-memory", "t");
+  EXPECT_EQ(registry_.rivalOf(average), nullptr);
+  memory.set(8.0);
+  EXPECT_EQ(registry_.rivalOf(average), &memory);
+  EXPECT_EQ(registry_.rivalOf(memory), nullptr) << "the average is its default";
+  average.set(2.0);
+  EXPECT_EQ(registry_.rivalOf(memory), &average);
+  memory.set(0.0);
+  EXPECT_EQ(registry_.rivalOf(memory), nullptr);
+  EXPECT_EQ(registry_.rivalOf(average), nullptr);
 }
 
 TEST_F(RegistryTest, JsonIsFlatAndTyped) {

@@ -57,6 +57,39 @@ TEST_F(TomlTest, TableDottedKeyAndAliasMeanTheSame) {
   EXPECT_EQ(kAve_, 7.0);
 }
 
+TEST_F(TomlTest, BooleansAreThoseOfTheCommandLine) {
+  for (const char* on : {"true", "\"on\"", "'true'", "1", "'1'"}) {
+    fill_ = false;
+    applyTomlText(registry_, std::string("oit.fill = ") + on, "x");
+    EXPECT_TRUE(fill_) << on;
+  }
+  for (const char* off : {"false", "\"off\"", "'false'", "0", "'0'"}) {
+    fill_ = true;
+    applyTomlText(registry_, std::string("oit.fill = ") + off, "x");
+    EXPECT_FALSE(fill_) << off;
+  }
+  EXPECT_EQ(
+      messageOf("oit.fill = 2"),
+      "x.toml:1: oit.fill: '2' is neither on nor off; oit.fill takes true or false, \"on\" or "
+      "\"off\", 1 or 0");
+}
+
+TEST_F(TomlTest, WordsWithoutQuotesAreToldHowToBeWritten) {
+  const auto endsWith = [&](const std::string& text, const std::string& end) {
+    const std::string message = messageOf(text);
+    EXPECT_TRUE(message.starts_with("x.toml:2:")) << message;
+    EXPECT_TRUE(message.ends_with(end)) << message;
+  };
+  endsWith("ssaa = 2\noit.fill = on\n", "; write true");
+  endsWith("ssaa = 2\noit.fill = False # no", "; write false");
+  endsWith("ssaa = 2\noit = { fill = yes }", "; write true");
+  endsWith("ssaa = 2\noit.method = peel", "; text stands in quotes, \"peel\"");
+  endsWith("ssaa = 2\r\noit.method = kb-atomic\r\n", "; text stands in quotes, \"kb-atomic\"");
+  for (const char* other : {"oit.fill = ", "ssaa = 2x", "oit.fill = on'", "= on", "[on"}) {
+    EXPECT_EQ(messageOf(other).find("; write"), std::string::npos) << messageOf(other);
+  }
+}
+
 TEST_F(TomlTest, ColourIsTextOrArray) {
   applyTomlText(registry_, "background = [0, 0.5, 1]", "x");
   EXPECT_EQ(background_, glm::vec3(0.0F, 0.5F, 1.0F));

@@ -107,17 +107,20 @@ class VariantSet {
 
 /// What lit, textured and environment runs add. All of their combinations are compiled with
 /// oit/blend.frag; the least and the most are enough where an option multiplies them.
-const std::vector<std::string> kShading{"LIT", "TEXTURED", "SHADOWS", "ENVIRONMENT"};
+const std::vector<std::string> kShading{"LIT", "TEXTURED", "HOLED", "SHADOWS", "ENVIRONMENT"};
 const std::vector<Defines> kShadingEnds{
     {},
     {{"TEXTURED", "1"}},
+    {{"TEXTURED", "1"}, {"HOLED", "1"}},
     {{"LIT", "1"}, {"TEXTURED", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}}};
 
 void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});
   addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}}, {"SHADOW"});
   addCombinations(all, "scene.vert", {}, {});
-  addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}}, {"LIT", "TEXTURED", "ENVIRONMENT"});
+  addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}, {"HOLED", "1"}}, {"WITH_IDS"});
+  addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}},
+                  {"LIT", "TEXTURED", "HOLED", "ENVIRONMENT"});
   addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
   addCombinations(all, "shadow.frag", {}, {"MASK"});
   addCombinations(all, "lighting.comp", {}, {"LIT", "SHADOWS", "ENVIRONMENT"});
@@ -134,7 +137,7 @@ void addOpaque(std::vector<Variant>& all) {
     addCombinations(all, "lighting.comp", together(rich, {{place, "1"}, {"DEMODULATE", "1"}}), {});
   }
   addCombinations(all, "lod/reconstruct.comp", {{"MACULA", "1"}, {"DEMODULATE", "1"}},
-                  {"FOVEATED", "SHADE_HOLES"});
+                  {"FOVEATED", "SHADE_HOLES", "UNLIT"});
   for (const char* file : {"lod/rates.comp", "lod/depth.frag", "lod/transparency.comp"}) {
     addCombinations(all, file, {}, {});
   }
@@ -162,7 +165,16 @@ void addPlainTransparent(std::vector<Variant>& all) {
   }
   addCombinations(all, "oit/covered.comp", {{"SAMPLED", "1"}}, {});
   const Defines ids{{"POSITION_ONLY", "1"}, {"WITH_IDS", "1"}};
+  // Where alpha is tested, that of a run without colours needs what it comes from.
+  const Defines tested{{"UV_ONLY", "1"}, {"HOLED", "1"}};
+  const Defines testedIds = together(tested, {{"WITH_IDS", "1"}});
   addCombinations(all, "oit/count.frag", {{"POSITION_ONLY", "1"}}, {"RANGE"});
+  addCombinations(all, "oit/count.frag", tested, {"RANGE", "TEXTURED"});
+  addCombinations(all, "oit/atomic_keys.frag", testedIds, {"STAGE_IDS", "TEXTURED"});
+  addCombinations(all, "oit/occupancy.frag", tested, {"RANGES", "TEXTURED"});
+  for (const char* stage : {"STAGE_DEPTH", "STAGE_IDS"}) {
+    addCombinations(all, "oit/peel.frag", together(testedIds, {{stage, "1"}}), {"TEXTURED"});
+  }
   addCombinations(all, "oit/importance.comp", {}, {"FACTORS"});
   addCombinations(all, "oit/prefix.comp", {}, {"ROWS"});
   addCombinations(all, "oit/atomic_keys.frag", ids, {"STAGE_IDS"});
@@ -176,10 +188,10 @@ void addPlainTransparent(std::vector<Variant>& all) {
   for (const char* tile : {"1", "2"}) {
     addCombinations(all, "oit/slices.frag",
                     {{"VERTEX_LIGHT", "1"}, {"SLICES", "4"}, {"SLICE_TILE", tile}},
-                    {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "ENVIRONMENT"});
+                    {"SYNC_ORDERED", "LEARNED", "LIT", "TEXTURED", "HOLED", "ENVIRONMENT"});
   }
   addCombinations(all, "oit/count_colors.frag", {{"VERTEX_LIGHT", "1"}},
-                  {"LIT", "TEXTURED", "ENVIRONMENT"});
+                  {"LIT", "TEXTURED", "HOLED", "ENVIRONMENT"});
   for (const char* file : {"oit/blend.frag", "oit/weighted.frag", "oit/routed.frag"}) {
     addCombinations(all, file, {}, kShading);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <set>
 #include <span>
 #include <thread>
 
@@ -16,10 +17,15 @@
 #include "engine/core/interrupt.h"
 #include "engine/core/nearest.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/experiment/speedup.h"
+#include "engine/gaze/source.h"
+#include "engine/scene/load.h"
 #include "engine/settings/toml_file.h"
+#include "gaze_report.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -104,6 +110,27 @@ Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& m
   return fingerprint;
 }
 
+/// What is to be known of the gaze logs that studies name; those that cannot be read are left out
+/// by the run itself, with the reason.
+std::vector<std::string> gazeWarnings(const Experiment& experiment) {
+  const gaze::GazeSettings settings;
+  std::vector<std::string> all;
+  std::set<std::string> names;
+  for (const Study& study : experiment.studies) names.insert(study.gaze);
+  for (const std::string& name : names) {
+    try {
+      const auto source = gaze::parseGazeSpec(name);
+      for (std::string& warning : FollowedGaze(*source, settings).warnings()) {
+        fmt::print(stderr, "warning: {}\n", warning);
+        all.push_back(std::move(warning));
+      }
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return all;
+}
+
 std::string processorName() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);) {
@@ -126,7 +153,38 @@ Provenance provenanceOf(const passes::Machine& machine) {
           machine.capabilities.version,
           machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
                                                         : "GL timer queries",
-          date};
+          date,
+          {}};
+}
+
+/// What the experiment reads: lists in the order of its studies, each thing once.
+/// @param name of the experiment on the command line @param file it was read from
+nlohmann::ordered_json madeFrom(const Experiment& experiment, const std::string& name,
+                                const fs::path& file) {
+  using nlohmann::ordered_json;
+  measure::Provenance made = provenanceOfRun();
+  ordered_json& inputs = made.inputs;
+  measure::Input own = measure::inputOf(file);
+  own.name = name;
+  inputs["experiment"] = measure::toJson(own);
+  for (const char* key : {"scene", "gaze", "camera", "fps", "seed"}) {
+    inputs[key] = ordered_json::array();
+  }
+  const auto add = [&](const char* key, const ordered_json& value) {
+    ordered_json& list = inputs[key];
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+  };
+  for (const Study& study : experiment.studies) {
+    for (const std::string& scene : study.scenes) {
+      const bool absent = scene::isSceneFile(scene) && !fs::exists(scene);  // an optional one
+      if (!absent) add("scene", measure::toJson(sceneInput(scene)));
+    }
+    add("gaze", measure::toJson(gazeInput(study.gaze, {})));
+    add("camera", measure::toJson(cameraInput(study.camera)));
+    if (study.pathFrames > 0) add("fps", study.pathFps);
+    for (const std::int64_t seed : study.seeds) add("seed", seed);
+  }
+  return measure::toJson(made);
 }
 
 std::vector<Point> collect(const PointsFile& file, const Experiment& experiment,
@@ -161,25 +219,38 @@ void writeResults(const Results& results, const fs::path& folder) {
   writeFileAtomically(folder / "report.html", reportPage(results, folder, dataFolder("assets")));
 }
 
+/// "met", "n/a: everything fits"
+std::string verdictOf(const TargetRow& row) {
+  return std::string(nameOf(row.state)) + (row.reason.empty() ? "" : ": " + row.reason);
+}
+
 void printSummary(const Results& results, const ChartRun& run, const fs::path& folder) {
   std::size_t refused = 0;
   for (const Point& point : results.points) refused += point["status"] == kRefused ? 1 : 0;
   for (const Skipped& skipped : run.skipped) {
     fmt::print("skipped: {}: {}\n", skipped.what, oneLine(skipped.reason));
   }
+  constexpr std::size_t kLeastWidth = 10;
+  std::size_t width = kLeastWidth;
   const Target* before = nullptr;
   for (const TargetRow& row : results.targets) {
     if (row.target != before) {
       fmt::print("{}: {} {}\n", row.target->name, row.target->metric, row.target->limitText());
+      width = kLeastWidth;
+      for (const TargetRow& other : results.targets) {
+        if (other.target == row.target) width = std::max(width, verdictOf(other).size());
+      }
     }
     before = row.target;
     const std::string value = row.value ? fmt::format("{:.3g}", *row.value) : "";
     std::string where = row.where;
     if (row.state == TargetRow::State::Unmeasured) where += (where.empty() ? "" : ": ") + row.note;
-    fmt::print("  {:<10} {:>7}  {}\n", nameOf(row.state), value, where);
+    fmt::print("  {:<{}} {:>7}  {}\n", verdictOf(row), width, value, where);
   }
-  fmt::print("{} points: {} measured now, {} kept, {} refused\nreport: {}\n", results.points.size(),
-             run.measured, run.kept, refused, (folder / "report.html").string());
+  if (!results.targets.empty()) fmt::print("targets: {}\n", summaryOf(results.targets));
+  fmt::print("{}: {} measured now, {} kept, {} refused\nreport: {}\n",
+             counted(results.points.size(), "point"), run.measured, run.kept, refused,
+             (folder / "report.html").string());
 }
 
 }  // namespace
@@ -190,6 +261,7 @@ void chart(const ChartOptions& options) {
   checkExperiment(experiment);
   const InterruptGuard guard;
   const fs::path folder(options.out);
+  const nlohmann::ordered_json made = madeFrom(experiment, options.experiment, path);
   OutputFolder output(folder, "chart", options.force);
   PointsFile file(folder / "points.jsonl");
 
@@ -202,6 +274,8 @@ void chart(const ChartOptions& options) {
 
   Results results{
       &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
+  results.warnings = gazeWarnings(experiment);
+  results.provenance.made = made;
   results.targets = judge(experiment, results.points);
   if (run.interrupted) {
     if (results.points.empty()) endIfInterrupted();

@@ -136,11 +136,11 @@ void Contender::describe(Point& point) const {
   point["settings"] = settings_->registry.toJson();
 }
 
-void describeImage(Point& point, const image::Image8& shown, const image::ImageF& display,
+void describeImage(Point& point, const image::Image8& picture, const image::ImageF& display,
                    const Reference& reference, double scale, const std::filesystem::path& folder,
                    const std::string& stem) {
   const std::string image = "images/" + stem + ".png";
-  image::writePng(folder / image, shown);
+  image::writePng(folder / image, picture);
   point["images"] = {{"image", image}};
   if (reference.file.empty()) {
     point["error"] = nullptr;

@@ -77,7 +77,8 @@ class Contender {
 };
 
 /// Adds errors against the reference to a point, writes image and error maps and names them.
-void describeImage(experiment::Point& point, const image::Image8& shown,
+/// @param picture what is written: the image, or its heat map
+void describeImage(experiment::Point& point, const image::Image8& picture,
                    const image::ImageF& display, const Reference& reference, double scale,
                    const std::filesystem::path& folder, const std::string& stem);
 

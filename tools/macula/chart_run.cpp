@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interrupt.h"
 #include "engine/gaze/source.h"
+#include "replay_painter.h"
 
 namespace macula::tools {
 namespace {
@@ -200,8 +201,8 @@ class LoadedGroup {
   Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
     Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
     contender.describe(point);
-    describeImage(point, contender.shown(), contender.display(), reference_,
-                  run_.experiment.differenceScale, run_.folder, plan.stem);
+    describeImage(point, shownPicture(contender.renderer(), contender.shown()), contender.display(),
+                  reference_, run_.experiment.differenceScale, run_.folder, plan.stem);
     return point;
   }
 

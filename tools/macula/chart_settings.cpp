@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kLightingKey = "scene.lighting";
 constexpr const char* kSeedKey = "frame.seed";
+constexpr const char* kAverageKey = "oit.kAve";
+constexpr const char* kMemoryKey = "oit.memoryMiB";
 constexpr double kMebi = 1024.0 * 1024.0;
 
 /// Whether a scene has to be loaded again where this setting changes.
@@ -21,17 +23,42 @@ bool decidesLoading(const std::string& key) {
 }
 
 void checkScene(const std::string& scene, const experiment::Study& study) {
-  if (isSceneFile(scene)) return;
+  if (scene::isSceneFile(scene)) return;
   if (study.isOptional(scene)) {
     failInput("{}: optional_scenes: '{}' is no .gltf or .glb file; name it under scenes",
               study.place, oneLine(scene));
   }
-  // Whether the number is one, loading tells.
-  bool known = scene.starts_with("layers-") || scene.starts_with("medley-");
-  for (const scene::RecipeInfo& recipe : scene::recipes()) known = known || recipe.name == scene;
-  if (!known) {
-    failInput("{}: '{}' is neither a .gltf or .glb file nor a scene of 'macula scene list'",
-              study.place, oneLine(scene));
+  if (!scene::isProcedural(scene)) {
+    failInput("{}: scenes: '{}': {}", study.place, oneLine(scene), scene::unknownScene(scene));
+  }
+}
+
+/// The settings of a study's variant lie over each other: no two of them may be rival budgets.
+void checkBudgets(const experiment::Experiment& experiment, const experiment::Study& study,
+                  const experiment::Variant& variant) {
+  VariantSettings all;
+  for (const toml::table* layer : study.settings) {
+    settings::applyTable(all.registry, *layer, experiment.name);
+  }
+  all.registry.checkRivals();
+  if (variant.budgets) return;  // of the study, in place of these
+  all.applyVariant(experiment, variant);
+  all.registry.checkRivals();
+  if (!variant.sweep) return;
+  for (const double value : variant.sweep->values) {
+    all.applySweep(*variant.sweep, value);
+    all.registry.checkRivals();
+  }
+}
+
+/// A variant that is measured at budgets has none of its own.
+void requireNoBudget(const VariantSettings& own, const experiment::Variant& variant) {
+  if (!variant.budgets) return;
+  for (const char* key : {kAverageKey, kMemoryKey}) {
+    const settings::Entry* entry = own.registry.find(key);
+    if (entry->setAt().empty()) continue;
+    failInput("{}: variant '{}' is measured at the budgets of its study; drop it, or budgets",
+              entry->setAt(), variant.id);
   }
 }
 
@@ -80,10 +107,10 @@ void VariantSettings::applySweep(const experiment::Sweep& sweep, double value) {
 
 void VariantSettings::applyBudget(const experiment::Budget& budget, double bytes) {
   if (budget.kind == experiment::Budget::Kind::KAve) {
-    registry.at("oit.kAve", "k_ave").set(budget.value, "k_ave");
-    registry.at("oit.memoryMiB", "k_ave").set(0.0, "k_ave");
+    registry.at(kAverageKey, "k_ave").set(budget.value, "k_ave");
+    registry.at(kMemoryKey, "k_ave").set(0.0, "k_ave");
   } else {
-    registry.at("oit.memoryMiB", "mib").set(bytes / kMebi, budget.label());
+    registry.at(kMemoryKey, "mib").set(bytes / kMebi, budget.label());
   }
 }
 
@@ -102,22 +129,23 @@ void checkExperiment(const experiment::Experiment& experiment) {
     VariantSettings own;
     own.applyVariant(experiment, variant);
     requireNoLoading(own, variant);
+    requireNoBudget(own, variant);
     if (!variant.sweep) continue;
     for (const double value : variant.sweep->values) {
       own.applySweep(*variant.sweep, value);
       requireNoLoading(own, variant);
     }
   }
-}
-
-bool isSceneFile(const std::string& scene) {
-  const std::string extension = std::filesystem::path(scene).extension().string();
-  return extension == ".glb" || extension == ".gltf";
+  for (const experiment::Study& study : experiment.studies) {
+    for (const std::string& id : study.variants) {
+      checkBudgets(experiment, study, experiment.variant(id));
+    }
+  }
 }
 
 std::optional<std::string> reasonToSkip(const experiment::Group& group) {
   std::error_code error;
-  if (isSceneFile(group.scene) && !std::filesystem::exists(group.scene, error)) {
+  if (scene::isSceneFile(group.scene) && !std::filesystem::exists(group.scene, error)) {
     return group.scene + ": no such file";
   }
   if (group.light != experiment::kOwnLight &&

@@ -37,7 +37,4 @@ void checkExperiment(const experiment::Experiment& experiment);
 /// Why a group cannot be measured here at all: its file is missing, or this build cannot light it.
 [[nodiscard]] std::optional<std::string> reasonToSkip(const experiment::Group& group);
 
-/// Whether a scene is named by a file.
-[[nodiscard]] bool isSceneFile(const std::string& scene);
-
 }  // namespace macula::tools

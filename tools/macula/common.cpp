@@ -1,5 +1,6 @@
 #include "common.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -10,6 +11,7 @@
 #include "engine/core/file.h"
 #include "engine/image/image.h"
 #include "engine/recording/reader.h"
+#include "engine/scene/light_choice.h"
 #include "engine/scene/load.h"
 #include "engine/scene/opacity_override.h"
 
@@ -65,10 +67,27 @@ LoadedScene loadForRendering(const std::string& nameOrPath,
       panorama.pixels.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
     }
     loaded.environment = scene::makeEnvironment(std::move(panorama));
+    for (const std::string& warning : loaded.environment->warnings) {
+      loaded.scene.warnings.push_back(
+          fmt::format("{}: {}", settings.environment.string(), warning));
+    }
   }
   loaded.loadMs =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return loaded;
+}
+
+scene::Camera startCamera(const scene::Scene& scene) {
+  return scene.cameras.empty() ? scene::autoOrbit(scene).at(0.0) : scene.cameras.front();
+}
+
+void printWarnings(const scene::Scene& scene, const scene::Camera& camera, float aspect) {
+  for (const std::string& warning : scene.warnings) {
+    fmt::print(stderr, "warning: {}\n", oneLine(warning));
+  }
+  const std::string lights =
+      scene::lightsLeftOut(scene, camera, aspect, "the first frame's camera");
+  if (!lights.empty()) fmt::print(stderr, "warning: {}\n", oneLine(lights));
 }
 
 namespace {
@@ -93,6 +112,10 @@ scene::CameraPath recordedPath(const std::string& folder) {
 scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
   if (spec == "auto") return scene::autoOrbit(scene);
   if (spec != "scene") {
+    std::error_code error;
+    if (!std::filesystem::exists(spec, error)) {
+      failInput("--camera {}: no such file; give auto, scene, a path file or a recording", spec);
+    }
     scene::CameraPath path =
         recording::isRecording(spec) ? recordedPath(spec) : scene::readCameraPath(spec);
     path.fitPlanes(scene::boundsOf(scene));

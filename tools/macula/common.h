@@ -27,6 +27,11 @@ class Difference : public std::runtime_error {
 /// "1024x768". @throws InputError naming the option; sides from 1 to 16384
 [[nodiscard]] glm::ivec2 parseSize(const std::string& text);
 
+/// Width over height.
+[[nodiscard]] inline float aspectOf(glm::ivec2 size) {
+  return static_cast<float>(size.x) / static_cast<float>(size.y);
+}
+
 /// "0.3,0.7", both from 0 to 1. @throws InputError naming the option, for example "--probe"
 [[nodiscard]] glm::vec2 parsePlace(const std::string& option, const std::string& text);
 
@@ -44,6 +49,13 @@ struct LoadedScene {
 /// @param nameOrPath procedural name or file
 [[nodiscard]] LoadedScene loadForRendering(const std::string& nameOrPath,
                                            const passes::RenderSettings& settings);
+
+/// Where a scene is first looked at from: its first camera, or else the beginning of its orbit.
+[[nodiscard]] scene::Camera startCamera(const scene::Scene& scene);
+
+/// Says what of a scene is not drawn as it is given, a line each on standard error.
+/// @param camera, aspect of the first frame: they decide which lights it has
+void printWarnings(const scene::Scene& scene, const scene::Camera& camera, float aspect);
 
 /// `auto`, `scene`, a path file or the folder of a recording.
 [[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "common.h"
 #include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/gaze/hid/eye_tracker.h"
 #include "passes/machine.h"
 
@@ -60,8 +61,10 @@ nlohmann::ordered_json describeGl(const Options& options) {
     fmt::print("synchronisation   {}\ntime source       {}\n", passes::nameOf(sync),
                machine.time.reason);
     for (std::size_t i = 0; i < machine.time.kRepeats.size(); ++i) {
-      fmt::print("  {} dispatches    timer {:.3f} ms, steady clock {:.3f} ms\n",
-                 machine.time.kRepeats[i], machine.time.queryMs[i], machine.time.finishMs[i]);
+      fmt::print(
+          "  {:<15} timer {:.3f} ms, steady clock {:.3f} ms\n",
+          counted(static_cast<std::uint64_t>(machine.time.kRepeats[i]), "dispatch", "dispatches"),
+          machine.time.queryMs[i], machine.time.finishMs[i]);
     }
   }
   return {{"context", context.description()},

@@ -7,9 +7,12 @@
 #include "common.h"
 #include "engine/core/interrupt.h"
 #include "engine/gaze/canonical_csv.h"
+#include "engine/gaze/cells.h"
 #include "engine/gaze/log_reader.h"
 #include "engine/gaze/quality.h"
+#include "engine/gaze/viewing.h"
 #include "engine/settings/command_line.h"
+#include "gaze_report.h"
 
 namespace macula::tools {
 namespace {
@@ -28,8 +31,21 @@ double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// Degrees of movements, or why there are none.
+void printMovements(const gaze::EyeMovements& movements, const gaze::Viewing& viewing,
+                    double threshold) {
+  if (!viewing.hasDegrees) {
+    fmt::print("{:<17}none: {}\n", "fixations", gaze::kNoDegrees);
+    return;
+  }
+  fmt::print("{:<17}{}, mean {:.0f} ms\n", "fixations", movements.fixations,
+             1e3 * movements.fixationSeconds);
+  fmt::print("{:<17}{}, mean {:.2f} deg (from {:g} deg/s on a display of {})\n", "saccades",
+             movements.saccades, movements.saccadeDegrees, threshold, describe(viewing.display));
+}
+
 void printInfo(const gaze::GazeLogHead& head, const gaze::GazeQuality& q,
-               const gaze::QualityOptions& options) {
+               const gaze::Viewing& viewing, double threshold) {
   const gaze::GazeCounters& c = head.counters;
   const auto line = [](std::string_view label, const std::string& text) {
     fmt::print("{:<17}{}\n", label, text);
@@ -46,23 +62,21 @@ void printInfo(const gaze::GazeLogHead& head, const gaze::GazeQuality& q,
   line("duration", fmt::format("{:.3f} s", q.durationSeconds));
   line("longest dropout", fmt::format("{:.3f} s", q.longestDropoutSeconds));
   line("off screen", fmt::format("{} ({:.1f} %)", q.offScreen, percent(q.offScreen, q.samples)));
-  line("fixations",
-       fmt::format("{}, mean {:.0f} ms", q.movements.fixations, 1e3 * q.movements.fixationSeconds));
-  line("saccades",
-       fmt::format("{}, mean {:.2f} deg (from {:g} deg/s on a display of {:g}x{:g} mm "
-                   "at {:g} mm)",
-                   q.movements.saccades, q.movements.saccadeDegrees, options.ivtThreshold,
-                   options.display.widthMm, options.display.heightMm, options.display.distanceMm));
+  printMovements(q.movements, viewing, threshold);
+  using gaze::counted;
   line("other rows", fmt::format("{} event, {} truncated", c.eventRows, c.truncatedRows));
-  line("marked", fmt::format("{} blinks, {} saccades, {} blocks", c.blinks, c.saccades, c.blocks));
-  line("times", fmt::format("{} duplicate, {} backward, {} gaps, {} clock restarts",
-                            c.duplicateTimes, c.backwardTimes, c.gaps, c.clockRestarts));
-  line("places", fmt::format("{} sentinels, {} frozen runs", c.sentinels, q.frozenRuns));
+  line("marked", fmt::format("{}, {}, {}", counted(c.blinks, "blink"),
+                             counted(c.saccades, "saccade"), counted(c.blocks, "block")));
+  line("times", fmt::format("{} duplicate, {} backward, {}, {}", c.duplicateTimes, c.backwardTimes,
+                            counted(c.gaps, "gap"), counted(c.clockRestarts, "clock restart")));
+  line("places", fmt::format("{}, {}", counted(c.sentinels, "sentinel"),
+                             counted(q.frozenRuns, "frozen run")));
   for (const std::string& note : head.notes) line("note", note);
+  for (const std::string& warning : viewing.warnings) line("warning", warning);
 }
 
 nlohmann::ordered_json toJson(const gaze::GazeLogHead& head, const gaze::GazeQuality& q,
-                              const gaze::QualityOptions& options) {
+                              const gaze::Viewing& viewing, double threshold) {
   const gaze::GazeCounters& c = head.counters;
   nlohmann::ordered_json eyes;  // null where the file does not tell the eyes apart
   if (c.twoEyeSamples > 0) {
@@ -72,56 +86,78 @@ nlohmann::ordered_json toJson(const gaze::GazeLogHead& head, const gaze::GazeQua
   if (head.coordinates.screenPixels) {
     screen = {head.coordinates.screenPixels->x, head.coordinates.screenPixels->y};
   }
-  return {
-      {"format", head.format},
-      {"samples", q.samples},
-      {"lost", q.lost},
-      {"rate_hz", q.rateHz},
-      {"duration_s", q.durationSeconds},
-      {"longest_dropout_s", q.longestDropoutSeconds},
-      {"off_screen", q.offScreen},
-      {"jitter_ms", 1e3 * q.jitterSeconds},
-      {"eyes", eyes},
-      {"fixations", {{"count", q.movements.fixations}, {"mean_s", q.movements.fixationSeconds}}},
-      {"saccades", {{"count", q.movements.saccades}, {"mean_deg", q.movements.saccadeDegrees}}},
-      {"ivt_deg_per_s", options.ivtThreshold},
-      {"event_rows", c.eventRows},
-      {"truncated_rows", c.truncatedRows},
-      {"duplicate_times", c.duplicateTimes},
-      {"backward_times", c.backwardTimes},
-      {"gaps", c.gaps},
-      {"clock_restarts", c.clockRestarts},
-      {"sentinels", c.sentinels},
-      {"frozen_runs", q.frozenRuns},
-      {"marked_blinks", c.blinks},
-      {"marked_saccades", c.saccades},
-      {"blocks", c.blocks},
-      {"coordinates",
-       {{"unit", head.coordinates.unit},
-        {"unit_by", head.coordinates.unitBy},
-        {"origin", head.coordinates.origin},
-        {"origin_by", head.coordinates.originBy},
-        {"of", head.coordinates.of},
-        {"screen_px", screen},
-        {"statement", gaze::describe(head.coordinates)}}},
-      {"notes", head.notes}};
+  nlohmann::ordered_json fixations{{"count", nullptr}, {"mean_s", nullptr}};
+  nlohmann::ordered_json saccades{{"count", nullptr}, {"mean_deg", nullptr}};
+  if (viewing.hasDegrees) {
+    fixations = {{"count", q.movements.fixations}, {"mean_s", q.movements.fixationSeconds}};
+    saccades = {{"count", q.movements.saccades}, {"mean_deg", q.movements.saccadeDegrees}};
+  }
+  return {{"format", head.format},
+          {"samples", q.samples},
+          {"lost", q.lost},
+          {"rate_hz", q.rateHz},
+          {"duration_s", q.durationSeconds},
+          {"longest_dropout_s", q.longestDropoutSeconds},
+          {"off_screen", q.offScreen},
+          {"jitter_ms", 1e3 * q.jitterSeconds},
+          {"eyes", eyes},
+          {"fixations", fixations},
+          {"saccades", saccades},
+          {"ivt_deg_per_s", threshold},
+          {"display", tools::toJson(viewing.display)},
+          {"event_rows", c.eventRows},
+          {"truncated_rows", c.truncatedRows},
+          {"duplicate_times", c.duplicateTimes},
+          {"backward_times", c.backwardTimes},
+          {"gaps", c.gaps},
+          {"clock_restarts", c.clockRestarts},
+          {"sentinels", c.sentinels},
+          {"frozen_runs", q.frozenRuns},
+          {"marked_blinks", c.blinks},
+          {"marked_saccades", c.saccades},
+          {"blocks", c.blocks},
+          {"coordinates",
+           {{"unit", head.coordinates.unit},
+            {"unit_by", head.coordinates.unitBy},
+            {"origin", head.coordinates.origin},
+            {"origin_by", head.coordinates.originBy},
+            {"of", head.coordinates.of},
+            {"screen_px", screen},
+            {"statement", gaze::describe(head.coordinates)}}},
+          {"notes", head.notes},
+          {"warnings", viewing.warnings}};
+}
+
+/// Measures the whole log, with its angles on this display.
+gaze::GazeLogHead measure(const Options& options, const gaze::Display& display,
+                          gaze::GazeQuality& quality) {
+  gaze::GazeLogReader reader(options.file, options.log);
+  gaze::QualityMeter meter({.ivtThreshold = options.quality.ivtThreshold, .display = display});
+  gaze::GazeSample sample;
+  while (reader.next(sample)) meter.add(sample);
+  quality = meter.quality();
+  return reader.head();
 }
 
 void info(const Options& options) {
-  gaze::GazeLogReader reader(options.file, options.log);
-  gaze::QualityMeter meter(options.quality);
-  gaze::GazeSample sample;
-  while (reader.next(sample)) meter.add(sample);
-  const gaze::GazeQuality quality = meter.quality();
-  if (options.json != "-") printInfo(reader.head(), quality, options.quality);
-  writeJson(options.json, toJson(reader.head(), quality, options.quality));
+  gaze::GazeQuality quality;
+  const gaze::GazeLogHead head = measure(options, options.log.display, quality);
+  const gaze::Viewing viewing = viewingOf(head, options.log);
+  // Only the whole file tells how far the eyes were on average.
+  if (viewing.display.sizeBy == "file" || viewing.display.distanceBy == "file") {
+    (void)measure(options, viewing.display.display, quality);
+  }
+  const double threshold = options.quality.ivtThreshold;
+  if (options.json != "-") printInfo(head, quality, viewing, threshold);
+  writeJson(options.json, toJson(head, quality, viewing, threshold));
 }
 
 void convert(const Options& options) {
   const InterruptGuard guard;
   const gaze::Conversion done = gaze::convertGazeLog(options.file, options.out, options.log);
-  fmt::print("{}: {} samples of {} written\ncoordinates were {}\n", options.out, done.samples,
-             done.head.format, gaze::describe(done.head.coordinates));
+  fmt::print("{}: {} of {} written\ncoordinates were {}\n", options.out,
+             gaze::counted(done.samples, "sample"), done.head.format,
+             gaze::describe(done.head.coordinates));
 }
 
 /// A subcommand with what both take: the file, how it is to be read, and the display.
@@ -135,7 +171,6 @@ CLI::App& addReader(CLI::App& parent, const std::string& name, const std::string
   command->callback([options, command, run] {
     settings::applyOptions(*command, options->registry);
     if (!options->format.empty()) options->log.format = options->format;
-    options->quality.display = options->log.display;
     run(*options);
   });
   return *command;

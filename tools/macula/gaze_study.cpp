@@ -11,9 +11,12 @@
 #include "engine/core/output_folder.h"
 #include "engine/core/page.h"
 #include "engine/gaze/point_error.h"
+#include "engine/gaze/viewing.h"
 #include "engine/measure/statistics.h"
 #include "engine/settings/command_line.h"
+#include "gaze_report.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -58,17 +61,27 @@ Json statistics(const std::vector<double>& errors) {
 
 /// The points that were finished; fewer than asked for only where the run was interrupted.
 Json studyOf(const std::string& file, const Options& options, ProgressBar& progress) {
-  const gaze::GazeLog log = gaze::readGazeLog(file, gaze::logOptionsOf(options.settings));
-  const gaze::LandingErrors landing = gaze::landingErrors(log, options.settings);
+  const gaze::LogOptions logOptions = gaze::logOptionsOf(options.settings);
+  const gaze::GazeLog log = gaze::readGazeLog(file, logOptions);
+  const gaze::Viewing viewing = viewingOf(log, logOptions);
+  if (!viewing.hasDegrees) failInput("{}: {}", oneLine(file), gaze::kNoDegrees);
+  for (const std::string& warning : viewing.warnings) {
+    fmt::print(stderr, "warning: {}: {}\n", oneLine(file), warning);
+  }
+  gaze::GazeSettings known = options.settings;
+  known.display = viewing.display.display;
+  const gaze::LandingErrors landing = gaze::landingErrors(log, known);
   Json points = Json::array();
   for (const Way& way : kWays) {
     for (const double latency : options.latenciesMs) {
       if (interruptAsked()) break;
-      gaze::GazeSettings settings = options.settings;
+      gaze::GazeSettings settings = known;
       settings.pipeline.filter = way.filter;
       settings.pipeline.prediction = way.prediction;
       settings.latencyMs = latency;
-      Json point{{"way", way.name}, {"latency_ms", latency}};
+      Json point{{"way", way.name},
+                 {"latency_ms", latency},
+                 {"zero_by_definition", gaze::isUndelayed(settings)}};
       point["error_deg"] = statistics(gaze::pointErrors(log, settings, options.fps));
       points.push_back(std::move(point));
       progress.advance();
@@ -76,6 +89,10 @@ Json studyOf(const std::string& file, const Options& options, ProgressBar& progr
   }
   return {{"log", fs::path(file).filename().string()},
           {"format", log.format},
+          {"coordinates", describe(log.coordinates)},
+          {"display", toJson(viewing.display)},
+          {"display_statement", describe(viewing.display)},
+          {"warnings", viewing.warnings},
           {"points", points},
           {"landing_error_deg",
            {{"predicted", statistics(landing.predicted)},
@@ -84,25 +101,39 @@ Json studyOf(const std::string& file, const Options& options, ProgressBar& progr
 
 std::string csvOf(const Json& results) {
   const auto text = [](const Json& value) { return value.is_null() ? "" : value.dump(); };
-  std::string csv = "log,way,latency_ms,frames,mean_deg,median_deg,p95_deg\n";
+  std::string csv = "log,way,latency_ms,frames,mean_deg,median_deg,p95_deg,display\n";
   for (const Json& log : results["logs"]) {
     for (const Json& point : log["points"]) {
       const Json& error = point["error_deg"];
-      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{}\n", log["log"].get<std::string>(),
+      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{},\"{}\"\n", log["log"].get<std::string>(),
                          point["way"].get<std::string>(), text(point["latency_ms"]),
                          text(error["frames"]), text(error["mean"]), text(error["median"]),
-                         text(error["p95"]));
+                         text(error["p95"]), log["display_statement"].get<std::string>());
     }
   }
   return csv;
 }
 
+Json provenanceOf(const Options& options) {
+  measure::Provenance provenance = provenanceOfRun(options.registry);
+  Json logs = Json::array();
+  for (const std::string& file : options.files) {
+    logs.push_back(measure::toJson(gazeInput(file, gaze::logOptionsOf(options.settings))));
+  }
+  provenance.inputs.update({{"gaze", logs}, {"fps", options.fps}, {"seed", nullptr}});
+  return measure::toJson(provenance);
+}
+
 void study(const Options& options) {
   const InterruptGuard guard;
   OutputFolder output(options.out, "gaze study", options.force);
-  Json results{{"schema", 1},          {"commit", MACULA_COMMIT},
-               {"fps", options.fps},   {"settings", Json(options.registry.toJson())},
-               {"interrupted", false}, {"logs", Json::array()}};
+  Json results{{"schema", 1},
+               {"commit", MACULA_COMMIT},
+               {"fps", options.fps},
+               {"settings", Json(options.registry.toJson())},
+               {"provenance", provenanceOf(options)},
+               {"interrupted", false},
+               {"logs", Json::array()}};
   const std::size_t asked = options.files.size() * kWays.size() * options.latenciesMs.size();
   ProgressBar progress("gaze study", static_cast<int>(asked));
   std::size_t finished = 0;

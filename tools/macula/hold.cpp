@@ -92,7 +92,7 @@ void addHold(CLI::App& root) {
       command
           ->add_option("--target-share", o->targetShare,
                        "The target as a share of the time that full rate takes in this run")
-          ->check(CLI::Range(kLeastShare, kMostShare))
+          ->check(settings::shareIn({.min = kLeastShare, .max = kMostShare}))
           ->needs(scene);
   addSceneOptions(*command, *o);
   for (const char* name :

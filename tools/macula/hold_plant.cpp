@@ -8,6 +8,7 @@
 #include "engine/core/page.h"
 #include "hold.h"
 #include "macula_version.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -102,6 +103,7 @@ void holdPlant(const HoldOptions& options) {
                {"expected_work_ms", law.expectedWorkMs},
                {"least_aim", law.leastAim},
                {"seeds", options.seeds},
+               {"provenance", measure::toJson(provenanceOfRun(options.registry))},
                {"interrupted", false},
                {"laws", Json::object()}};
   Json traces = Json::object();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -25,14 +26,15 @@ ordered_json orNull(const std::optional<T>& value) {
   return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-ordered_json partJson(const control::HoldPart& part, const HoldRecord& record) {
+ordered_json partJson(const control::HoldPart& part, bool controlled) {
   return {{"begin", part.begin},
           {"end", part.end},
-          {"load", record.frames[part.begin].load},
-          {"work_ms", part.workMs},
-          {"rest_ms", part.restMs},
-          {"ideal_r", part.idealResize},
-          {"reachable_ms", part.reachableMs},
+          {"load", part.load},
+          {"ideal_r", part.model.idealResize},
+          {"reachable_ms", part.model.reachableMs},
+          {"judged_frames", part.judged},
+          {"within", part.within},
+          {"met", controlled ? orNull(part.met) : ordered_json(nullptr)},
           {"settle_frames", orNull(part.settleFrames)},
           {"used_pixels", orNull(part.usedPixels)}};
 }
@@ -58,6 +60,29 @@ bool isControlled(const HoldRecord& record, const HoldOptions& options) {
   return record.clockFault.empty() && options.control.law != "off";
 }
 
+/// What is said of the whole, and why it is not judged.
+struct Verdict {
+  std::string word;
+  std::string reason;
+};
+
+Verdict verdictOf(const HoldRecord& record, const HoldOptions& options) {
+  if (!record.clockFault.empty()) return {"not judged", record.clockFault};
+  if (!isControlled(record, options)) return {"not judged", "nothing is controlled"};
+  std::string word = control::verdictOf(record.measures);
+  return {word, record.measures.judged == 0 ? "every frame settles" : ""};
+}
+
+double fullRateOf(const HoldRecord& record, int times) {
+  return std::ranges::find(record.loads, times, &LoadTimes::times)->fullRateMs;
+}
+
+/// The least time that r reaches.
+double leastOf(const HoldRecord& record, const control::HoldLoad& load, double most) {
+  return std::min(fullRateOf(record, load.times),
+                  load.model.workMs / (most * most) + load.model.restMs);
+}
+
 /// Names of all passes, in the order in which they came first.
 std::vector<std::string_view> passNames(const HoldRecord& record) {
   std::vector<std::string_view> names;
@@ -73,6 +98,8 @@ std::vector<std::string_view> passNames(const HoldRecord& record) {
 
 ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
   const control::HoldMeasures& m = record.measures;
+  const bool controlled = isControlled(record, options);
+  const Verdict verdict = verdictOf(record, options);
   ordered_json json{{"schema", 1},
                     {"commit", MACULA_COMMIT},
                     {"scene", options.scene},
@@ -86,17 +113,21 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
                     {"target_share", nullptr},
                     {"interrupted", !record.interrupted.empty()},
                     {"frames", record.held.size()},
-                    {"settings", options.registry.toJson()}};
+                    {"settings", options.registry.toJson()},
+                    {"provenance", record.provenance}};
+  json["gaze_log"] = record.gazeLog;
   if (!record.clockFault.empty()) json["clock_fault"] = record.clockFault;
   if (options.targetShare) json["target_share"] = *options.targetShare;
   json["loads"] = ordered_json::array();
-  for (const LoadTimes& load : record.loads) {
+  for (const control::HoldLoad& load : m.loads) {
+    const double most = options.control.mostResize;
     json["loads"].push_back({{"times", load.times},
-                             {"full_rate_ms", load.fullRateMs},
+                             {"full_rate_ms", fullRateOf(record, load.times)},
                              {"work_ms", load.model.workMs},
                              {"rest_ms", load.model.restMs},
                              {"ideal_r", load.model.idealResize},
-                             {"least_ms", load.leastMs}});
+                             {"limit", control::textOf(load.model.limit, most)},
+                             {"least_ms", leastOf(record, load, most)}});
   }
   json["steps"] = ordered_json::array();
   for (const LoadStep& step : record.steps) {
@@ -105,13 +136,16 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
   json["gate"] = {{"tolerance", m.tolerance},
                   {"share", control::kGateShare},
                   {"within", m.withinTolerance},
-                  {"met", orNull(m.met)}};
-  if (!isControlled(record, options)) json["gate"]["met"] = nullptr;
+                  {"met", controlled ? orNull(m.met) : ordered_json(nullptr)}};
+  json["verdict"] = verdict.word;
+  json["reason"] = verdict.reason.empty() ? ordered_json(nullptr) : ordered_json(verdict.reason);
   json["held"] = measuresJson(m);
   json["fixed"] = {
       {"r", record.fixedResize}, {"spread", m.fixedSpread}, {"within_tolerance", m.fixedWithin}};
   json["parts"] = ordered_json::array();
-  for (const control::HoldPart& part : m.parts) json["parts"].push_back(partJson(part, record));
+  for (const control::HoldPart& part : m.parts) {
+    json["parts"].push_back(partJson(part, controlled));
+  }
   json["notices"] = ordered_json::array();
   for (const HoldNotice& notice : record.notices) {
     json["notices"].push_back({{"frame", notice.frame}, {"text", notice.text}});
@@ -128,7 +162,7 @@ std::string toCsv(const HoldRecord& record) {
   for (std::size_t i = 0; i < record.held.size(); ++i) {
     const control::HeldFrame& held = record.held[i];
     const HoldFrameRecord& frame = record.frames[i];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", i, frame.timeSeconds, frame.load,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", i, frame.timeSeconds, held.load,
                        held.resize, frame.levers.resize, frame.levers.foveaSlope,
                        frame.levers.layerShare, held.ms, held.resizableMs, held.fixedMs);
     for (const std::string_view name : names) {
@@ -164,28 +198,30 @@ ordered_json pageData(const HoldRecord& record, const HoldOptions& options) {
 
 std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
   const control::HoldMeasures& m = record.measures;
+  const bool controlled = isControlled(record, options);
   std::string text;
-  for (const LoadTimes& load : record.loads) {
+  for (const control::HoldLoad& load : m.loads) {
+    const double most = options.control.mostResize;
     text += fmt::format(
-        "load {}: full rate {:.2f} ms; at r: {:.2f} / r^2 + {:.2f} ms; least {:.2f}", load.times,
-        load.fullRateMs, load.model.workMs, load.model.restMs, load.leastMs);
-    text += fmt::format(" ms; ideal r {:.2f}\n", load.model.idealResize);
-    if (record.targetMs < load.leastMs) {
-      text += fmt::format(
-          "  r alone does not reach {:.2f} ms; with this load it holds {:.2f} to {:.2f}\n",
-          record.targetMs, load.leastMs, load.fullRateMs);
-    }
+        "load {}: full rate {:.2f} ms; at r: {:.2f} / r^2 + {:.2f} ms; least {:.2f} ms; ideal r "
+        "{:.2f} ({})\n",
+        load.times, fullRateOf(record, load.times), load.model.workMs, load.model.restMs,
+        leastOf(record, load, most), load.model.idealResize,
+        control::textOf(load.model.limit, most));
   }
   text += fmt::format("target {:.2f} ms by {}: median {:.2f}, p95 {:.2f}, p99 {:.2f} ms\n",
                       record.targetMs, options.control.law, m.p50Ms, m.p95Ms, m.p99Ms);
   for (const control::HoldPart& part : m.parts) {
-    text += fmt::format(
-        "frames {} to {}, load {}: {}; {}\n", part.begin, part.end - 1,
-        record.frames[part.begin].load,
-        part.settleFrames ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
-                          : std::string("never settled"),
-        part.usedPixels ? fmt::format("{:.1f} % of the ideal's pixels", kPercent * *part.usedPixels)
-                        : std::string("too short to be judged"));
+    text += fmt::format("frames {} to {}, load {}: ", part.begin, part.end - 1, part.load);
+    if (controlled && part.met) {
+      text += fmt::format("{} ({:.1f} % within); ", *part.met ? "held" : "not held",
+                          kPercent * part.within);
+    }
+    text += part.settleFrames ? fmt::format("settled in frame {}", part.begin + *part.settleFrames)
+                              : std::string("never settled");
+    text += part.usedPixels
+                ? fmt::format("; {:.1f} % of the ideal's pixels\n", kPercent * *part.usedPixels)
+                : std::string("; too short to be judged\n");
   }
   text += fmt::format("over 1.02 T {:.1f} %, over 1.1 T {:.1f} %, at most {} in a row\n",
                       kPercent * m.over102, kPercent * m.over110, m.longestOver);
@@ -194,16 +230,15 @@ std::string summaryOf(const HoldRecord& record, const HoldOptions& options) {
                       kPercent * m.tolerance);
   for (const HoldNotice& notice : record.notices) {
     text += fmt::format("frame {}: {}\n", notice.frame,
-                        notice.text.empty() ? "as before" : notice.text);
+                        notice.text.empty() ? "nothing any more" : notice.text);
   }
-  const std::string verdict = !isControlled(record, options)
-                                  ? "not judged, for nothing is controlled"
-                              : !m.met ? "not judged, for every frame settles"
-                              : *m.met ? "met"
-                                       : "missed";
-  text +=
-      fmt::format("within 5 % and the spread: {:.1f} % of {} frames (to reach: {:.0f} %): {}\n",
-                  kPercent * m.withinTolerance, m.judged, kPercent * control::kGateShare, verdict);
+  const Verdict verdict = verdictOf(record, options);
+  text += fmt::format(
+      "within {:.1f} %, which is 5 % and the spread or {:.0f} %: {:.1f} % of {} (to reach: "
+      "{:.0f} %): {}{}\n",
+      kPercent * m.tolerance, kPercent * control::kMostTolerance, kPercent * m.withinTolerance,
+      counted(m.judged, "frame"), kPercent * control::kGateShare, verdict.word,
+      verdict.reason.empty() ? "" : ", for " + verdict.reason);
   return text;
 }
 

@@ -18,16 +18,14 @@ namespace macula::tools {
 /// One load, measured before the run at the path's begin.
 struct LoadTimes {
   int times = 1;
-  double fullRateMs = 0.0;  ///< median at r = 1
-  double leastMs = 0.0;     ///< K / r^2 + C at r's end
-  control::HoldPart model;  ///< K, C and the ideal r for the target
+  double fullRateMs = 0.0;   ///< median at r = 1
+  double firstResize = 1.0;  ///< that meets the target on the first view; the fixed r is their mean
 };
 
 /// A frame with what the measures leave out.
 struct HoldFrameRecord {
   double timeSeconds = 0.0;  ///< on the path
-  int load = 1;
-  frame::Levers levers;  ///< as asked for; resize 0 where nothing was controlled
+  frame::Levers levers;      ///< as asked for; resize 0 where nothing was controlled
   std::vector<std::pair<std::string_view, double>> passMs;  ///< names live as long as the renderer
 };
 
@@ -43,6 +41,8 @@ struct HoldRecord {
   std::string timeSource;
   std::string glRenderer;
   std::string glVersion;
+  nlohmann::ordered_json gazeLog;  ///< see FollowedGaze::toJson()
+  nlohmann::ordered_json provenance;
   glm::ivec2 size{0};
   std::vector<LoadStep> steps;
   std::vector<LoadTimes> loads;

@@ -12,10 +12,12 @@
 #include "engine/gaze/source.h"
 #include "engine/measure/statistics.h"
 #include "frame_control.h"
+#include "gaze_report.h"
 #include "hold.h"
 #include "hold_record.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
+#include "provenance.h"
 
 namespace macula::tools {
 namespace {
@@ -88,21 +90,21 @@ void measureLoads(HoldRecord& record, const HoldOptions& options, const Stage& s
           options.targetShare ? *options.targetShare * load.fullRateMs : options.control.targetMs;
     }
     const double most = options.control.mostResize;
-    load.model = control::modelOf(half, record.targetMs, most);
     // Without resizing, nothing has to be reconstructed.
-    if (load.fullRateMs <= record.targetMs) load.model.idealResize = control::kLeastResize;
-    load.leastMs = std::min(load.fullRateMs, load.model.workMs / (most * most) + load.model.restMs);
+    load.firstResize = load.fullRateMs <= record.targetMs
+                           ? control::kLeastResize
+                           : control::modelOf(half, record.targetMs, most).idealResize;
     record.loads.push_back(load);
   }
 }
 
-/// The mean of the ideals over the frames: too slow after a step up, and too coarse before it, as
-/// any fixed r is.
-double meanIdeal(const HoldRecord& record, int frames) {
+/// The mean over the frames of what the first view asks for: too slow after a step up, and too
+/// coarse before it, as any fixed r is.
+double meanResize(const HoldRecord& record, int frames) {
   double sum = 0.0;
   for (int i = 0; i < frames; ++i) {
     const int times = loadAt(record.steps, static_cast<std::size_t>(i));
-    sum += std::ranges::find(record.loads, times, &LoadTimes::times)->model.idealResize;
+    sum += std::ranges::find(record.loads, times, &LoadTimes::times)->firstResize;
   }
   return sum / frames;
 }
@@ -125,7 +127,9 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     const passes::FrameResult result = held.render(camera, point, cut);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
-    HoldFrameRecord more{time, times, held.inputs().levers, {}};
+    HoldFrameRecord more{time, held.inputs().levers, {}};
+    frame.load = times;
+    frame.othersAtRest = more.levers.foveaSlope == 1.0F && more.levers.layerShare == 1.0F;
     for (const frame::PassTime& pass : result.passes) more.passMs.emplace_back(pass.name, pass.ms);
     fixed.setShadingLoad(times);
     fixed.setLevers(fixedLevers);
@@ -166,12 +170,14 @@ void holdScene(HoldOptions& options) {
   record.steps = parseLoads(options.loads, options.frames);
   auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
+  const FollowedGaze followed(*gazeSource, options.gazeSettings);
+  followed.printWarnings();
+  record.gazeLog = followed.toJson();
   scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  printWarnings(loaded.scene, path.at(0.0), aspectOf(record.size));
   std::optional<OutputFolder> output;
   if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
+  record.provenance = provenanceOfFrames(options);
 
   const window::HeadlessContext context(platformOf(options.platform));
   Stage stage(std::move(loaded), std::move(path), std::move(gazeSource));
@@ -189,10 +195,11 @@ void holdScene(HoldOptions& options) {
   }
   measureLoads(record, options, stage, held);
   options.control.targetMs = record.targetMs;
-  record.fixedResize = meanIdeal(record, options.frames);
+  record.fixedResize = meanResize(record, options.frames);
   // The other renderer compiles and grows, too, before its times count.
   drawStill(fixed, stage, loadAt(record.steps, 0), record.fixedResize, 0);
   drawFrames(record, options, stage, held, fixed);
+  followed.printEnd(options.fps, options.frames);
 
   control::HoldRun run{record.targetMs, options.control.mostResize, record.held, {}};
   for (const LoadStep& step : record.steps) {

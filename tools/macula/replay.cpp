@@ -13,6 +13,7 @@
 #include "engine/core/file.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/gaze/point_error.h"
 #include "engine/gaze/source.h"
@@ -20,7 +21,9 @@
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
 #include "engine/measure/run_record.h"
+#include "gaze_report.h"
 #include "passes/frame_renderer.h"
+#include "provenance.h"
 #include "replay_painter.h"
 #include "replay_recording.h"
 
@@ -44,8 +47,9 @@ passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
 
 void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
   const auto& summary = report["summary"];
-  fmt::print("{} frames of {} by {}: median {:.2f} ms", report["frames"].size(), options.scene,
-             options.settings.oit.method, summary["ms"]["median"].get<double>());
+  const auto frames = counted(report["frames"].size(), "frame");
+  fmt::print("{} of {} by {}: median {:.2f} ms", frames, options.scene, options.settings.oit.method,
+             summary["ms"]["median"].get<double>());
   if (options.reference) fmt::print(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
   fmt::print("\nreport: {}\n", (std::filesystem::path(options.out) / "report.json").string());
 }
@@ -62,10 +66,11 @@ void replay(ReplayOptions& options) {
   const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   const auto trueGaze = gaze::parseGazeSpec(options.gaze, gaze::undelayed(options.gazeSettings));
   LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
+  const FollowedGaze followed(*gazeSource, options.gazeSettings);
+  followed.printWarnings();
   const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
+  printWarnings(loaded.scene, path.at(0.0), aspectOf(size));
+  const nlohmann::ordered_json provenance = provenanceOfFrames(options);
 
   passes::RenderSettings settings = options.settings;
   settings.tonemap.linearOut = options.reference || options.images == "exr";
@@ -87,6 +92,7 @@ void replay(ReplayOptions& options) {
   }
 
   measure::RunRecord run;
+  run.provenance = provenance;
   run.loadMs = loaded.loadMs;
   const auto noteFirstFrame = [&] {
     if (run.firstFrameMs == 0.0) run.firstFrameMs = millisecondsSince(begin);
@@ -110,8 +116,9 @@ void replay(ReplayOptions& options) {
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
     measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
-    record.gazeErrorDegrees =
-        gaze::pointError(point, trueGaze->at(time), options.gazeSettings.display);
+    if (followed.hasDegrees()) {
+      record.gazeErrorDegrees = gaze::pointError(point, trueGaze->at(time), followed.display());
+    }
     noteFirstFrame();
     painter.readBack();
     record.index = i;
@@ -138,10 +145,13 @@ void replay(ReplayOptions& options) {
   run.interrupted = run.frames.size() < static_cast<std::size_t>(options.frames);
 
   describeRun(run, options.scene, options, machine, painter.renderer(), size);
-  const nlohmann::ordered_json report = measure::toJson(run);
+  nlohmann::ordered_json report = measure::toJson(run);
+  report["gaze_log"] = followed.toJson();
+  report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
   const std::filesystem::path file = output.file("report.json");
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options.json, report);
+  followed.printEnd(options.fps, options.frames);
   if (options.json != "-") printSummary(options, report);
   if (run.interrupted) {
     throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",

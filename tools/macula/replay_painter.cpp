@@ -7,10 +7,19 @@
 
 namespace macula::tools {
 
+image::Image8 shownPicture(const passes::FrameRenderer& renderer, const image::Image8& display) {
+  image::Image8 picture = display;
+  if (const std::optional<image::Legend> legend = renderer.legend()) {
+    renderer.readShown(picture.pixels);
+    image::putLegend(picture, *legend);
+  }
+  return picture;
+}
+
 void Painter::write(OutputFolder& folder, std::string_view stem, int index,
                     const std::string& format) const {
   const auto path = folder.file(fmt::format("{}_{:05}.{}", stem, index, format));
-  if (format == "png") image::writePng(path, display_);
+  if (format == "png") image::writePng(path, shownPicture(renderer_, display_));
   if (format == "exr") image::writeExr(path, linear_);
 }
 

@@ -16,6 +16,11 @@
 
 namespace macula::tools {
 
+/// What a frame shows: its image, or the heat map with its legend.
+/// @param display the image
+[[nodiscard]] image::Image8 shownPicture(const passes::FrameRenderer& renderer,
+                                         const image::Image8& display);
+
 /// One renderer with the buffers that its images are read into.
 class Painter {
  public:
@@ -36,7 +41,8 @@ class Painter {
     renderer_.readDisplay(display_.pixels);
     if (linearOut_) renderer_.readLinear(linear_.pixels);
   }
-  /// Writes FOLDER/STEM_INDEX.png or .exr.
+  /// Writes FOLDER/STEM_INDEX.png or .exr. A PNG is of what is shown: with a heat map, that and its
+  /// legend.
   void write(OutputFolder& folder, std::string_view stem, int index,
              const std::string& format) const;
   /// Pixels of the following frames. Invalidates history.
@@ -50,6 +56,7 @@ class Painter {
   void setLevers(const frame::Levers& levers) { renderer_.setLevers(levers); }
 
   [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
+  /// The image of the last frame, without a heat map: what hashes and errors are of.
   [[nodiscard]] const image::Image8& display() const { return display_; }
   [[nodiscard]] const image::ImageF& linear() const { return linear_; }
 

@@ -14,9 +14,11 @@
 #include "engine/core/file.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
 #include "engine/recording/reader.h"
 #include "engine/recording/scene_source.h"
+#include "provenance.h"
 #include "recorded_levers.h"
 #include "replay_painter.h"
 
@@ -49,7 +51,9 @@ class Session {
 
  private:
   void apply(const recording::Settings& settings);
-  void loadScene(const recording::SceneSource& source);
+  [[nodiscard]] nlohmann::ordered_json provenanceJson() const;
+  /// @param frame the first that is drawn with it
+  void loadScene(const recording::SceneSource& source, const recording::Frame& frame);
   void follow(const recording::Frame& frame);
   [[nodiscard]] std::string placeOf(const recording::Frame& frame) const;
   void compareHash(const recording::Frame& frame, const passes::FrameResult& result,
@@ -88,7 +92,7 @@ Session::Session(ReplayOptions& options, const recording::Recording& recording,
   if (!recording.session.environmentSha256.empty()) {
     recording::checkFile(options.settings.environment, recording.session.environmentSha256);
   }
-  loadScene(recording.session.scene);
+  loadScene(recording.session.scene, recording.frames.front());
 }
 
 void Session::apply(const recording::Settings& settings) {
@@ -107,11 +111,9 @@ void Session::apply(const recording::Settings& settings) {
   referenceSettings_ = passes::referenceOf(options_.settings);
 }
 
-void Session::loadScene(const recording::SceneSource& source) {
+void Session::loadScene(const recording::SceneSource& source, const recording::Frame& frame) {
   const LoadedScene loaded = loadForRendering(recording::checkedScene(source), options_.settings);
-  for (const std::string& warning : loaded.scene.warnings) {
-    fmt::print(stderr, "warning: {}\n", oneLine(warning));
-  }
+  printWarnings(loaded.scene, frame.camera, aspectOf(frame.size));
   run_.loadMs += loaded.loadMs;
   auto gpu = std::make_unique<scene::GpuScene>(loaded.scene,
                                                loaded.environment ? &*loaded.environment : nullptr);
@@ -121,7 +123,7 @@ void Session::loadScene(const recording::SceneSource& source) {
 
 void Session::follow(const recording::Frame& frame) {
   apply(frame.settings);
-  if (!frame.scene.name.empty()) loadScene(frame.scene);
+  if (!frame.scene.name.empty()) loadScene(frame.scene, frame);
   if (!painter_) {
     painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
     if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
@@ -183,12 +185,30 @@ void Session::compareHash(const recording::Frame& frame, const passes::FrameResu
   }
 }
 
+/// Gaze and camera are those of the recording, and so are its times: there is no frame rate.
+nlohmann::ordered_json Session::provenanceJson() const {
+  const recording::SceneSource& scene = recording_.session.scene;
+  const nlohmann::ordered_json recorded = measure::toJson(cameraInput(options_.scene));
+  measure::Provenance provenance = provenanceOfRun(options_.registry);
+  provenance.inputs.update(
+      {{"scene", measure::toJson(sceneInput(scene.file.empty() ? scene.name : scene.file))},
+       {"gaze", recorded},
+       {"camera", recorded},
+       {"fps", nullptr},
+       {"seed", options_.settings.seed}});
+  return measure::toJson(provenance);
+}
+
 void Session::finish() {
   const recording::Session& session = recording_.session;
   describeRun(run_, session.scene.name, options_, machine_, painter_->renderer(),
               painter_->renderer().outputSize());
   run_.interrupted = run_.frames.size() < recording_.frames.size();
+  run_.provenance = provenanceJson();
   nlohmann::ordered_json report = measure::toJson(run_);
+  report["gaze_log"] = nullptr;
+  report["summary"]["gaze_error_deg"]["basis"] =
+      "none: a recording holds the point of interest, not where the eye was";
   report["recording"] = {
       {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
       {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},
@@ -198,9 +218,10 @@ void Session::finish() {
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options_.json, report);
   if (options_.json != "-") {
-    fmt::print("{} frames of {} as recorded: median {:.2f} ms; {} of {} image hashes equal\n",
-               run_.frames.size(), oneLine(session.scene.name),
-               report["summary"]["ms"]["median"].get<double>(), hashes_.equal, hashes_.compared);
+    fmt::print("{} of {} as recorded: median {:.2f} ms; {} of {} equal\n",
+               counted(run_.frames.size(), "frame"), oneLine(session.scene.name),
+               report["summary"]["ms"]["median"].get<double>(), hashes_.equal,
+               counted(hashes_.compared, "image hash", "image hashes"));
     fmt::print("report: {}\n", file.string());
   }
   if (run_.interrupted) {
@@ -213,7 +234,9 @@ void Session::finish() {
       "{}{})",
       options_.scene, *hashes_.firstDifference, hashes_.compared - hashes_.equal, session.commit,
       session.renderer, session.version,
-      unrecorded_ > 0 ? fmt::format("; {} frames were drawn unrecorded", unrecorded_) : ""));
+      unrecorded_ > 0
+          ? fmt::format("; {} drawn unrecorded", counted(unrecorded_, "frame was", "frames were"))
+          : ""));
 }
 
 /// Refuses levers that no frame could be drawn with, before anything is drawn or written.

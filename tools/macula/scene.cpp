@@ -5,7 +5,10 @@
 
 #include "commands.h"
 #include "common.h"
+#include "engine/core/error.h"
+#include "engine/core/plural.h"
 #include "engine/scene/glb_writer.h"
+#include "engine/scene/light_choice.h"
 #include "engine/scene/load.h"
 #include "engine/scene/scene_facts.h"
 #include "engine/scene/scene_info.h"
@@ -26,7 +29,7 @@ struct Options {
 void make(const Options& options) {
   const scene::Scene made = scene::loadScene(options.name, options.settings.seed);
   scene::writeGlb(made, options.out);
-  fmt::print("{}: {} triangles written\n", options.out, scene::describe(made).triangles);
+  fmt::print("{}: {} written\n", options.out, counted(scene::describe(made).triangles, "triangle"));
 }
 
 void list() {
@@ -38,8 +41,12 @@ void list() {
 void info(Options& options, const CLI::App& command) {
   settings::applyOptions(command, options.registry);
   scene::Scene loaded = scene::loadScene(options.name, options.settings.seed);
-  const scene::SceneInfo facts = scene::describe(loaded);
+  scene::SceneInfo facts = scene::describe(loaded);
   prepareForRendering(loaded, options.settings);
+  if (loaded.lights.size() > scene::kMostLights) {
+    facts.warnings.push_back(oneLine(
+        scene::lightsLeftOut(loaded, startCamera(loaded), 1.0F, "the first camera")));
+  }
   const passes::OitPlan plan{.method = &passes::methodById(options.settings.oit.method)};
   const frame::FrameInputs inputs =
       passes::inputsOf(scene::factsOf(loaded, !options.settings.environment.empty()));

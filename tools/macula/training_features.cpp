@@ -65,12 +65,12 @@ void addFeatures(CLI::App& root) {
                    "Views of each scene: its own camera's and a turn around it (default 8)")
       ->check(CLI::Range(1, kMostViews));
   command->add_option("--sample", o->sample, "Share of the covered pixels (default 0.13)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(settings::shareIn({.min = 0.0, .max = 1.0}));
   command
       ->add_option("--shares", o->shares,
                    "Budgets that labels are found for, as shares of all fragments (default 0.1 0.2 "
                    "0.3 0.4 0.5)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(settings::shareIn({.min = 0.0, .max = 1.0}));
   addPlatformOption(*command, o->platform);
   addJsonOption(*command, o->json);
   settings::addOptions(*command, o->registry);

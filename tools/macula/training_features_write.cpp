@@ -9,6 +9,7 @@
 #include "engine/core/file.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output_folder.h"
+#include "engine/core/plural.h"
 #include "engine/dataset/npz.h"
 #include "engine/experiment/tone_curve.h"
 #include "engine/measure/oracle.h"
@@ -228,7 +229,9 @@ void writeFeatures(const FeaturesOptions& o) {
     writeScene(o, scene, rows);
     written.push_back(
         {{"file", scene.file.string()}, {"split", scene.split}, {"pixels", rows.pixel.size()}});
-    if (o.json != "-") fmt::print("{}: {} pixels\n", scene.file.string(), rows.pixel.size());
+    if (o.json != "-") {
+      fmt::print("{}: {}\n", scene.file.string(), counted(rows.pixel.size(), "pixel"));
+    }
   }
   progress.end();
   if (written.empty()) endIfInterrupted();

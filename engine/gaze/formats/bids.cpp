@@ -82,16 +82,32 @@ const Json& fieldOf(const Json& json, std::string_view key) {
   return found != json.end() && found->is_object() ? *found : kNone;
 }
 
-/// [1024, 768].
-std::optional<Rectangle> resolutionOf(const Json& json) {
-  const auto found = json.find("ScreenResolution");
+/// Two numbers, as [1024, 768].
+std::optional<glm::dvec2> pairOf(const Json& json, std::string_view key) {
+  const auto found = json.find(key);
   if (found == json.end() || !found->is_array() || found->size() != 2) return std::nullopt;
   const Json& width = (*found)[0];
   const Json& height = (*found)[1];
   if (!width.is_number() || !height.is_number()) return std::nullopt;
-  const glm::dvec2 size{width.get<double>(), height.get<double>()};
-  if (!(size.x >= 1.0 && size.y >= 1.0)) return std::nullopt;
-  return Rectangle{{0.0, 0.0}, size};
+  return glm::dvec2(width.get<double>(), height.get<double>());
+}
+
+std::optional<Rectangle> resolutionOf(const Json& json) {
+  const std::optional<glm::dvec2> size = pairOf(json, "ScreenResolution");
+  if (!size || !(size->x >= 1.0 && size->y >= 1.0)) return std::nullopt;
+  return Rectangle{{0.0, 0.0}, *size};
+}
+
+/// ScreenSize and ScreenDistance, in metres.
+void readDisplay(const Json& json, RecordedDisplay& display) {
+  constexpr double kMetre = 1000.0;
+  if (const auto size = pairOf(json, "ScreenSize"); size && !display.sizeMm()) {
+    display.setSize(kMetre * *size);
+  }
+  const auto distance = json.find("ScreenDistance");
+  if (distance != json.end() && distance->is_number() && !display.distanceMm()) {
+    display.noteDistance(kMetre * distance->get<double>());
+  }
 }
 
 class BidsParser final : public TableParser {
@@ -100,7 +116,11 @@ class BidsParser final : public TableParser {
       : TableParser(headerOf(json), context, '\t'),
         mapper_(coordinates(json, stimulus), options_, where_) {
     if (const auto lack = mapper_.lack()) {
-      failInput("{}: {}, or ScreenResolution in the JSON of the events", where_, *lack);
+      // The resolution in the JSON is the display's, not a scene camera's.
+      mapper_.state(head_.coordinates);
+      failInput(
+          "{}: {}{}", where_, *lack,
+          isOfSceneCamera(head_.coordinates) ? "" : ", or write ScreenResolution into its JSON");
     }
     if (x_ == kAbsent || y_ == kAbsent) (void)require({"x_coordinate"});
     readClock(json);
@@ -113,8 +133,9 @@ class BidsParser final : public TableParser {
 
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
-    const std::optional<std::int64_t> time = timestamp();
-    if (!time) return wrong(time_, "a time", problem);
+    const std::optional<std::int64_t> time =
+        time_ == kAbsent ? std::optional(index_) : this->time(time_, digits_, "a time", problem);
+    if (!time) return Row::Wrong;
     for (const Column column : {x_, y_, rightX_, rightY_}) {
       if (column != kAbsent && !isAbsent(column) && !parseNumber(cell(column))) {
         return wrong(column, "a number or n/a", problem);
@@ -162,15 +183,18 @@ class BidsParser final : public TableParser {
         if (c.origin == GazeOrigin::File) c.origin = originNamed(textOf(*holder, key));
       }
       if (!c.screen) c.screen = resolutionOf(*holder);
+      readDisplay(*holder, c.display);
     }
     const std::string system = textOf(json, "SampleCoordinateSystem");
     if (mentions(system, "world")) {
-      c.of = "scene camera";
+      c.of = kSceneCamera;
       c.screen.reset();  // the display's size is not the camera's
+      c.display = {};
     }
     if (mentions(system, "eye in head")) {
       failInput("{}: eye-in-head coordinates are no gaze on a screen; give gaze-on-screen", where_);
     }
+    head_.display = c.display;
     return c;
   }
 
@@ -189,10 +213,9 @@ class BidsParser final : public TableParser {
     const auto found = json.find("SamplingFrequency");
     const double hertz = found != json.end() && found->is_number() ? found->get<double>() : 0.0;
     if (!(hertz > 0.0 && hertz < kFastest)) {
-      failInput(
-          "{}: neither the unit of the timestamps nor SamplingFrequency is said; give "
-          "--gaze.timeUnit s, ms, us or ns",
-          where_);
+      failInput("{}: neither the unit of the timestamps nor SamplingFrequency is said; {}", where_,
+                time_ == kAbsent ? "write SamplingFrequency into its JSON"
+                                 : "give --gaze.timeUnit s, ms, us or ns");
     }
     if (time_ != kAbsent) {
       head_.notes.emplace_back("reader: timestamps without a unit; times are from the frequency");
@@ -201,13 +224,9 @@ class BidsParser final : public TableParser {
     clock_ = TickClock(hertz);
   }
 
-  [[nodiscard]] std::optional<std::int64_t> timestamp() const {
-    return time_ == kAbsent ? std::optional(index_) : parseTicks(cell(time_), digits_);
-  }
-
   [[nodiscard]] bool isAbsent(Column column) const {
     const std::string_view text = cell(column);
-    return text.empty() || text == "n/a" || text == "nan" || text == "NaN";
+    return text.empty() || text == "n/a" || text == "." || text == "nan" || text == "NaN";
   }
   [[nodiscard]] bool isOne(Column column) const {
     return cell(column) == "1" || cell(column) == "1.0";
@@ -257,8 +276,8 @@ bool isBids(std::string_view /*header*/, const LogContext& context) {
 std::unique_ptr<LogParser> openBids(std::string_view /*header*/, const LogContext& context) {
   if (context.sidecar.empty()) {
     failInput(
-        "{}: a BIDS recording needs its JSON beside it; copy it there or give --gaze.sidecar "
-        "FILE.json",
+        "{}: a BIDS recording needs its JSON, as NAME.json beside NAME.tsv; copy it there or give "
+        "--gaze.sidecar FILE.json",
         context.where());
   }
   const Json json = parseJson(context.sidecar);

@@ -74,19 +74,40 @@ class EyeLinkParser final : public LogParser {
   /// "MSG 642433 GAZE_COORDS 0.00 0.00 1919.00 1079.00", also with '=' after the name.
   void message() {
     if (words_.size() < 3) return;
+    displayMessage();
     const bool gaze = words_[2] == "GAZE_COORDS";
     if (!gaze && words_[2] != "DISPLAY_COORDS") return;
     if (!gaze && gazeCoords_) return;  // those of the tracker hold over those of the script
     std::array<double, 4> corners{};
-    std::size_t found = 0;
-    for (std::size_t i = 3; i < words_.size() && found < corners.size(); ++i) {
-      if (const auto number = parseNumber(words_[i])) corners[found++] = *number;
-    }
+    const std::size_t found = numbersOfMessage(corners);
     const glm::dvec2 size{sideOf(corners[0], corners[2]), sideOf(corners[1], corners[3])};
     if (found < corners.size() || !(size.x >= 1.0 && size.y >= 1.0)) return;
     gazeCoords_ = gazeCoords_ || gaze;
     mapper_.setScreen({{corners[0], corners[1]}, size});
     mapper_.state(head_.coordinates);
+  }
+
+  /// The numbers behind a message's name; '=' and other words are passed over.
+  std::size_t numbersOfMessage(std::array<double, 4>& numbers) const {
+    std::size_t found = 0;
+    for (std::size_t i = 3; i < words_.size() && found < numbers.size(); ++i) {
+      if (const auto number = parseNumber(words_[i])) numbers[found++] = *number;
+    }
+    return found;
+  }
+
+  /// What scripts send of the tracker's physical.ini, in millimetres: "screen_phys_coords = -188,
+  /// 145, 188, -145" from the middle, "screen_distance = 600 660" to its upper and lower edge.
+  void displayMessage() {
+    std::array<double, 4> numbers{};
+    if (words_[2] == "SCREEN_PHYS_COORDS" || words_[2] == "screen_phys_coords") {
+      if (numbersOfMessage(numbers) < 4) return;
+      head_.display.setSize({std::abs(numbers[2] - numbers[0]), std::abs(numbers[3] - numbers[1])});
+    } else if (words_[2] == "SCREEN_DISTANCE" || words_[2] == "screen_distance") {
+      const std::size_t found = numbersOfMessage(numbers);
+      if (found > 0)
+        head_.display.noteDistance(found > 1 ? 0.5 * (numbers[0] + numbers[1]) : numbers[0]);
+    }
   }
 
   void setEyes() {
@@ -125,8 +146,8 @@ class EyeLinkParser final : public LogParser {
     const bool both = left_ && right_;
     const std::size_t count = both ? 7 : 4;
     if (const std::size_t got = firstWords(text, count); got < count) {
-      problem = fmt::format("{} numbers instead of {} of {}; convert the EDF again", got, count,
-                            both ? "both eyes" : "one eye");
+      problem = fmt::format("{} instead of {} of {}; convert the EDF again", counted(got, "number"),
+                            count, both ? "both eyes" : "one eye");
       return Row::Wrong;
     }
     std::optional<std::int64_t> time = parseTicks(numbers_[0], kMilliToMicro);

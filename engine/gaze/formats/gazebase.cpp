@@ -10,7 +10,7 @@ constexpr int kMilliToMicro = 3;
 class GazeBaseParser final : public TableParser {
  public:
   GazeBaseParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, ','),
+      : TableParser(header, context),
         // y points up: the reading tasks begin at the upper left, where y is positive.
         mapper_({.unit = GazeUnit::Degrees, .origin = GazeOrigin::CentreUp}, options_, where_),
         clock_(1e6) {
@@ -19,8 +19,9 @@ class GazeBaseParser final : public TableParser {
 
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
-    const std::optional<std::int64_t> time = parseTicks(cell(time_), kMilliToMicro);
-    if (!time) return wrong(time_, "milliseconds", problem);
+    const std::optional<std::int64_t> time =
+        this->time(time_, kMilliToMicro, "milliseconds", problem);
+    if (!time) return Row::Wrong;
     const std::optional<double> code = parseNumber(cell(valid_));
     if (!code) return wrong(valid_, "0 where the eye was seen", problem);
     if (const auto lack = mapper_.lack()) {
@@ -48,7 +49,7 @@ class GazeBaseParser final : public TableParser {
 }  // namespace
 
 bool isGazeBase(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, ',');
+  const HeaderCells cells(header);
   return cells.has("n") && cells.has("x") && cells.has("y") && cells.has("val");
 }
 

@@ -14,7 +14,7 @@ constexpr int kNanoDigits = 9;
 class GazepointParser final : public TableParser {
  public:
   GazepointParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, ','),
+      : TableParser(header, context),
         mapper_({.unit = GazeUnit::Normalised, .origin = GazeOrigin::TopLeft}, options_, where_),
         clock_(frequency()) {
     if (tick_ == kAbsent && time_ == kAbsent) (void)require({"TIME"});
@@ -30,9 +30,10 @@ class GazepointParser final : public TableParser {
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
     const Column clock = tick_ != kAbsent ? tick_ : time_;
+    const bool ticks = tick_ != kAbsent;
     const std::optional<std::int64_t> read =
-        parseTicks(cell(clock), tick_ != kAbsent ? 0 : kNanoDigits);
-    if (!read) return wrong(clock, tick_ != kAbsent ? "ticks" : "seconds", problem);
+        this->time(clock, ticks ? 0 : kNanoDigits, ticks ? "ticks" : "seconds", problem);
+    if (!read) return Row::Wrong;
     const std::string_view flag = cell(valid_);
     if (flag != "0" && flag != "1") return wrong(valid_, "0 or 1", problem);
 
@@ -40,6 +41,7 @@ class GazepointParser final : public TableParser {
     if (!time) return wrong(clock, "a time that does not run away", problem);
     sample.timeSeconds = clock_.seconds(*time, head_);
     countBlink();
+    noteDistance(leftEyeZ_, rightEyeZ_, kMetre);
     if (leftValid_ != kAbsent && rightValid_ != kAbsent) countEyes();
     const std::optional<glm::dvec2> raw = pair(x_, y_);
     if (flag == "1") {
@@ -138,6 +140,11 @@ class GazepointParser final : public TableParser {
   Column leftPupilValid_ = find({"LPMMV"});
   Column rightPupilValid_ = find({"RPMMV"});
 
+  // Metres from the camera below the screen.
+  static constexpr double kMetre = 1000.0;
+  Column leftEyeZ_ = find({"LEYEZ"});
+  Column rightEyeZ_ = find({"REYEZ"});
+
   std::optional<std::int64_t> last_;
   std::int64_t interval_ = 0;
   std::int64_t offset_ = 0;
@@ -150,7 +157,7 @@ class GazepointParser final : public TableParser {
 }  // namespace
 
 bool isGazepoint(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, ',');
+  const HeaderCells cells(header);
   return (cells.hasStart("TIMETICK") || cells.hasStart("TIME(") || cells.has("TIME")) &&
          (cells.has("BPOGX") || cells.has("FPOGX"));
 }

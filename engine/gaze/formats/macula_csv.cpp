@@ -7,9 +7,11 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/gaze/canonical_csv.h"
 #include "engine/gaze/cells.h"
 #include "engine/gaze/coordinates.h"
 #include "engine/gaze/formats/formats.h"
+#include "engine/gaze/formats/table_parser.h"
 
 namespace macula::gaze {
 namespace {
@@ -24,8 +26,9 @@ constexpr double kLatestTime = 1e11;
 
 class MaculaCsvParser final : public LogParser {
  public:
-  MaculaCsvParser(std::string_view header, const LogContext& context) : head_(context.head) {
-    splitCells(header, ',', cells_);
+  MaculaCsvParser(std::string_view header, const LogContext& context)
+      : head_(context.head), separator_(separatorOf(header)) {
+    splitCells(header, separator_, cells_);
     width_ = cells_.size();
     for (std::size_t cell = 0; cell < width_; ++cell) {
       const auto known = std::find(kColumns.begin(), kColumns.end(), cells_[cell]);
@@ -46,18 +49,23 @@ class MaculaCsvParser final : public LogParser {
         failInput("{}: column '{}' is missing; add it", context.where(), kColumns[column]);
       }
     }
-    // A definition, which no setting overrides.
-    const CoordinateMapper mapper(
-        {.unit = GazeUnit::Normalised, .origin = GazeOrigin::TopLeft, .of = "window"}, {},
-        context.where());
+    // A definition, which no setting overrides. What was converted stays what it was of.
+    const bool converted =
+        std::any_of(head_.notes.begin(), head_.notes.end(), [](const std::string& note) {
+          return note.starts_with(kConverted) && note.find(kSceneCamera) != std::string::npos;
+        });
+    const CoordinateMapper mapper({.unit = GazeUnit::Normalised,
+                                   .origin = GazeOrigin::TopLeft,
+                                   .of = converted ? kSceneCamera : "window"},
+                                  {}, context.where());
     mapper.state(head_.coordinates);
   }
 
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
-    splitCells(text, ',', cells_);
+    splitCells(text, separator_, cells_);
     if (cells_.size() != width_) {
-      problem = fmt::format("{} cells under a header of {}; write '.' as decimal mark, ',' between",
-                            cells_.size(), width_);
+      problem = fmt::format("{} under a header of {}; write '.' as decimal mark, '{}' between",
+                            counted(cells_.size(), "cell"), width_, separator_);
       return Row::Wrong;
     }
     const std::optional<double> time = parseNumber(cell(Time));
@@ -104,6 +112,7 @@ class MaculaCsvParser final : public LogParser {
   }
 
   GazeLogHead& head_;
+  char separator_;
   bool first_ = true;
   std::size_t width_ = 0;
   std::array<std::optional<std::size_t>, ColumnCount> index_;
@@ -114,7 +123,7 @@ class MaculaCsvParser final : public LogParser {
 
 bool isMaculaCsv(std::string_view header, const LogContext& /*context*/) {
   std::vector<std::string_view> cells;
-  splitCells(header, ',', cells);
+  splitCells(header, separatorOf(header), cells);
   return std::find(cells.begin(), cells.end(), kColumns[Time]) != cells.end();
 }
 

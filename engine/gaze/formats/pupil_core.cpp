@@ -11,13 +11,13 @@ constexpr int kNanoDigits = 9;
 class PupilCoreParser final : public TableParser {
  public:
   PupilCoreParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, ','),
+      : TableParser(header, context),
         surface_(find({"norm_pos_x"}) == kAbsent),
         x_(surface_ ? require({"x_norm"}) : require({"norm_pos_x"})),
         y_(surface_ ? require({"y_norm"}) : require({"norm_pos_y"})),
         mapper_({.unit = GazeUnit::Normalised,
                  .origin = GazeOrigin::BottomLeft,
-                 .of = surface_ ? "surface" : "scene camera"},
+                 .of = surface_ ? "surface" : kSceneCamera},
                 options_, where_),
         clock_(1e9) {
     // Positions of the pupils in the eye cameras have the same columns and are not gaze.
@@ -30,8 +30,8 @@ class PupilCoreParser final : public TableParser {
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
     // Nanoseconds: the clock has about that many digits.
-    const std::optional<std::int64_t> time = parseTicks(cell(time_), kNanoDigits);
-    if (!time) return wrong(time_, "seconds", problem);
+    const std::optional<std::int64_t> time = this->time(time_, kNanoDigits, "seconds", problem);
+    if (!time) return Row::Wrong;
     const std::optional<double> confidence = parseNumber(cell(confidence_));
     if (!confidence || *confidence < 0.0 || *confidence > 1.0) {
       return wrong(confidence_, "0..1", problem);
@@ -56,7 +56,7 @@ class PupilCoreParser final : public TableParser {
 }  // namespace
 
 bool isPupilCore(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, ',');
+  const HeaderCells cells(header);
   return (cells.has("norm_pos_x") && (cells.has("gaze_timestamp") || cells.has("timestamp"))) ||
          (cells.has("x_norm") && cells.has("on_surf"));
 }

@@ -21,7 +21,7 @@ bool isFalse(std::string_view cell) {
 class PupilNeonParser final : public TableParser {
  public:
   PupilNeonParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, ','),
+      : TableParser(header, context),
         surface_(find({kPixelX}) == kAbsent),
         x_(surface_ ? require({kSurfaceX}) : require({kPixelX})),
         y_(surface_ ? require({"gaze position on surface y [normalized]"})
@@ -29,20 +29,21 @@ class PupilNeonParser final : public TableParser {
         flag_(surface_ ? find({"gaze detected on surface"}) : find({"worn"})),
         mapper_({.unit = surface_ ? GazeUnit::Normalised : GazeUnit::Pixels,
                  .origin = GazeOrigin::TopLeft,
-                 .of = surface_ ? "surface" : "scene camera",
+                 .of = surface_ ? "surface" : kSceneCamera,
                  .unitBy = "file"},
                 options_, where_),
         clock_(1e9) {
-    if (const auto lack = mapper_.lack()) {
-      failInput("{}: {} (Neon: 1600x1200, Invisible: 1088x1080)", where_, *lack);
-    }
     mapper_.state(head_.coordinates);
   }
 
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
-    const std::optional<std::int64_t> time = parseTicks(cell(time_), 0);
-    if (!time) return wrong(time_, "nanoseconds", problem);
+    const std::optional<std::int64_t> time = this->time(time_, 0, "nanoseconds", problem);
+    if (!time) return Row::Wrong;
+    if (const auto lack = mapper_.lack()) {
+      problem = *lack + " (Neon: 1600x1200, Invisible: 1088x1080)";
+      return Row::Wrong;
+    }
     const std::string_view flag = cell(flag_);
     if (!flag.empty() && !isTrue(flag) && !isFalse(flag)) {
       return wrong(flag_, "True or False", problem);
@@ -75,7 +76,7 @@ class PupilNeonParser final : public TableParser {
 }  // namespace
 
 bool isPupilNeon(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, ',');
+  const HeaderCells cells(header);
   return cells.has(kTime) && (cells.has(kPixelX) || cells.has(kSurfaceX));
 }
 

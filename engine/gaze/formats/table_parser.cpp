@@ -11,7 +11,33 @@ namespace {
 
 constexpr double kLargestPupil = 20.0;
 
+/// How many digits before the decimal mark a number with an exponent does not tell, as 13 in
+/// 1.65451E+18; 0 for other numbers.
+std::int64_t missingDigits(std::string_view number) {
+  const std::size_t e = number.find_first_of("eE");
+  if (e == std::string_view::npos) return 0;
+  std::string_view exponent = number.substr(e + 1);
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  const std::size_t mark = std::min(number.find_first_of(".,"), e);
+  const auto decimals = static_cast<std::int64_t>(e - mark) - (mark < e ? 1 : 0);
+  return std::max<std::int64_t>(parseInteger(exponent).value_or(0) - decimals, 0);
+}
+// Nanoseconds without so many digits are seconds: nothing else is that coarse.
+constexpr std::int64_t kMostMissingDigits = 9;
+
 }  // namespace
+
+char separatorOf(std::string_view header) {
+  char best = ',';
+  std::size_t most = 0;
+  std::vector<std::string_view> cells;
+  for (const char separator : {',', ';', '\t'}) {
+    splitQuotedCells(header, separator, cells);
+    if (cells.size() > most) best = separator;
+    most = std::max(most, cells.size());
+  }
+  return best;
+}
 
 HeaderCells::HeaderCells(std::string_view header, char separator) {
   splitQuotedCells(header, separator, cells_);
@@ -74,8 +100,9 @@ bool TableParser::split(std::string_view text, std::string& problem) {
       std::all_of(cells_.begin() + static_cast<std::ptrdiff_t>(std::min(width_, cells_.size())),
                   cells_.end(), [](std::string_view cell) { return cell.empty(); });
   if (cells_.size() >= width_ && fits) return true;
-  problem = fmt::format("{} cells under a header of {}; export the log again{}", cells_.size(),
-                        width_, separator_ == ',' ? ", with '.' as decimal mark" : "");
+  problem =
+      fmt::format("{} under a header of {}; export the log again{}", counted(cells_.size(), "cell"),
+                  width_, separator_ == ',' ? ", with '.' as decimal mark" : "");
   return false;
 }
 
@@ -83,6 +110,36 @@ Row TableParser::wrong(Column column, std::string_view expected, std::string& pr
   problem = fmt::format("{} is '{}' instead of {}; export the log again", nameOf(column),
                         oneLine(cell(column)), expected);
   return Row::Wrong;
+}
+
+std::optional<std::int64_t> TableParser::time(Column column, int digits, std::string_view expected,
+                                              std::string& problem) {
+  const std::string_view text = cell(column);
+  const std::optional<std::int64_t> ticks = parseTicks(text, digits);
+  if (!ticks) {
+    (void)wrong(column, expected, problem);
+    return std::nullopt;
+  }
+  const std::int64_t missing = missingDigits(text);
+  if (missing == 0 && roundedTime_.empty()) return ticks;
+  if (missing >= kMostMissingDigits || (missing > 0 && text == roundedTime_)) {
+    problem = fmt::format(
+        "{} is '{}': a spreadsheet has rounded the times; give the file as the tracker's program "
+        "exported it",
+        nameOf(column), oneLine(text));
+    return std::nullopt;
+  }
+  roundedTime_ = missing > 0 ? text : std::string_view{};
+  return ticks;
+}
+
+void TableParser::noteDistance(Column left, Column right, double unitMm) {
+  for (const Column column : {left, right}) {
+    if (column == kAbsent) continue;
+    if (const auto distance = parseNumber(cell(column))) {
+      head_.display.noteDistance(*distance * unitMm);
+    }
+  }
 }
 
 std::optional<glm::dvec2> TableParser::pair(Column x, Column y) const {

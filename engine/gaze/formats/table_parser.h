@@ -13,9 +13,14 @@
 
 namespace macula::gaze {
 
+/// What stands between the cells of a header: ',', ';' or a tab, whichever makes the most of them.
+/// Spreadsheets write ';' where the decimal mark is a comma.
+[[nodiscard]] char separatorOf(std::string_view header);
+
 /// Names of a header's columns, for recognising a format.
 class HeaderCells {
  public:
+  explicit HeaderCells(std::string_view header) : HeaderCells(header, separatorOf(header)) {}
   HeaderCells(std::string_view header, char separator);
   [[nodiscard]] bool has(std::string_view name) const;
   /// Whether some column begins like this.
@@ -39,6 +44,8 @@ class TableParser : public LogParser {
   static constexpr Column kAbsent = static_cast<Column>(-1);
 
   TableParser(std::string_view header, const LogContext& context, char separator);
+  TableParser(std::string_view header, const LogContext& context)
+      : TableParser(header, context, separatorOf(header)) {}
 
   /// The first of these columns that the file has, or kAbsent.
   [[nodiscard]] Column find(std::initializer_list<std::string_view> names) const;
@@ -60,6 +67,14 @@ class TableParser : public LogParser {
   /// Sets the problem to "NAME is 'CELL' instead of EXPECTED; export the log again".
   [[nodiscard]] Row wrong(Column column, std::string_view expected, std::string& problem) const;
 
+  /// The time in a cell, as parseTicks() reads it. @returns nothing, with the problem, where it is
+  /// none, or where a spreadsheet has rounded it
+  /// @param expected what it is counted in, for the problem
+  [[nodiscard]] std::optional<std::int64_t> time(Column column, int digits,
+                                                 std::string_view expected, std::string& problem);
+  /// Notes the eyes' distance from the display. @param unitMm millimetres of the columns' unit
+  void noteDistance(Column left, Column right, double unitMm = 1.0);
+
   /// Two cells as a place; nothing where one holds no number.
   [[nodiscard]] std::optional<glm::dvec2> pair(Column x, Column y) const;
   /// A pupil's diameter in millimetres; nothing where it is none that an eye can have.
@@ -75,6 +90,7 @@ class TableParser : public LogParser {
   std::string header_;
   std::vector<std::string_view> names_;  ///< into header_
   std::vector<std::string_view> cells_;
+  std::string roundedTime_;  ///< of the row before, where it was written with an exponent
 };
 
 /// Maps a place; a sentinel is counted and gives nothing.

@@ -21,19 +21,20 @@ constexpr TimeColumn kTimes[] = {{"Recording timestamp [\xCE\xBCs]", TimeUnit::M
 class TobiiProLabParser final : public TableParser {
  public:
   TobiiProLabParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, '\t'), mapper_(coordinates(), options_, where_) {
+      : TableParser(header, context), mapper_(coordinates(), options_, where_) {
     for (const TimeColumn& candidate : kTimes) {
       time_ = find({candidate.name});
       unit_ = candidate.unit;
       if (time_ != kAbsent) break;
     }
     if (time_ == kAbsent) (void)require({"Recording timestamp [ms]"});
+    if (gazeX_ != kAbsent && gazeY_ == kAbsent) (void)require({"Gaze point Y"});
     if (options_.timeUnit != TimeUnit::File) unit_ = options_.timeUnit;
     if (unit_ == TimeUnit::File) {
       failInput("{}: 'Recording timestamp' has no unit; give --gaze.timeUnit ms or us", where_);
     }
     clock_ = TickClock(ticksPerSecond(TimeUnit::Nanoseconds));
-    if (leftValidity_ == kAbsent && gazeX_ == kAbsent) (void)require({"Gaze point X [DACS px]"});
+    if (leftValidity_ == kAbsent && gazeX_ == kAbsent) (void)require({"Gaze point X"});
     if (sensor_ == kAbsent && leftValidity_ == kAbsent) (void)require({"Validity left"});
     mapper_.state(head_.coordinates);
   }
@@ -45,17 +46,15 @@ class TobiiProLabParser final : public TableParser {
       return Row::Other;
     }
     // Nanoseconds keep every digit of either unit.
-    const std::optional<std::int64_t> time = nanoseconds();
-    if (!time) return wrong(time_, "a time", problem);
-    if (mapper_.lack()) {
-      if (const auto size = pair(width_, height_); size && size->x >= 1.0 && size->y >= 1.0) {
-        mapper_.setScreen({{0.0, 0.0}, *size});
-        mapper_.state(head_.coordinates);
-      } else {
-        problem = *mapper_.lack();
-        return Row::Wrong;
-      }
+    const std::optional<std::int64_t> time =
+        this->time(time_, digitsOf(TimeUnit::Nanoseconds) - digitsOf(unit_), "a time", problem);
+    if (!time) return Row::Wrong;
+    if (!settled_) settle();
+    if (const auto lack = mapper_.lack()) {
+      problem = *lack;
+      return Row::Wrong;
     }
+    noteDistance(leftZ_, rightZ_);
     sample.timeSeconds = clock_.seconds(*time, head_);
     const std::optional<glm::dvec2> combined = pair(gazeX_, gazeY_);
     if (leftValidity_ == kAbsent) {  // only the combined point was exported
@@ -72,31 +71,56 @@ class TobiiProLabParser final : public TableParser {
   }
 
  private:
-  /// The display's pixels, or, where only those of the medium were exported, its 0..1.
-  Coordinates coordinates() {
-    for (const bool suffixed : {true, false}) {
-      gazeX_ = suffixed ? find({"Gaze point X [DACS px]"}) : find({"Gaze point X"});
-      gazeY_ = suffixed ? find({"Gaze point Y [DACS px]"}) : find({"Gaze point Y"});
-      leftX_ = suffixed ? find({"Gaze point left X [DACS px]"}) : find({"Gaze point left X"});
-      leftY_ = suffixed ? find({"Gaze point left Y [DACS px]"}) : find({"Gaze point left Y"});
-      rightX_ = suffixed ? find({"Gaze point right X [DACS px]"}) : find({"Gaze point right X"});
-      rightY_ = suffixed ? find({"Gaze point right Y [DACS px]"}) : find({"Gaze point right Y"});
-      if (gazeX_ != kAbsent || leftX_ != kAbsent) {
-        return {.unit = GazeUnit::Pixels,
-                .origin = GazeOrigin::TopLeft,
-                .unitBy = suffixed ? "file" : "format"};
-      }
+  /// At the first sample: how large that is which the pixels are of. Glasses have no screen; their
+  /// recordings are of the scene camera.
+  void settle() {
+    settled_ = true;
+    const auto sizeIn = [&](Column width, Column height) {
+      const auto size = pair(width, height);
+      return size && size->x >= 1.0 && size->y >= 1.0 ? size : std::nullopt;
+    };
+    const std::optional<glm::dvec2> screen = sizeIn(width_, height_);
+    const std::optional<glm::dvec2> video = sizeIn(videoWidth_, videoHeight_);
+    if (of_ == "screen" && !suffixed_ && !screen && video) {
+      of_ = kSceneCamera;
+      mapper_.setOf(of_);
     }
-    gazeX_ = find({"Gaze point X [MCS norm]"});
-    gazeY_ = find({"Gaze point Y [MCS norm]"});
-    leftX_ = find({"Gaze point left X [MCS norm]"});
-    leftY_ = find({"Gaze point left Y [MCS norm]"});
-    rightX_ = find({"Gaze point right X [MCS norm]"});
-    rightY_ = find({"Gaze point right Y [MCS norm]"});
-    if (gazeX_ == kAbsent && leftX_ == kAbsent) (void)require({"Gaze point X [DACS px]"});
-    return {.unit = GazeUnit::Normalised,
+    const std::optional<glm::dvec2> size = of_ == "screen"       ? screen
+                                           : of_ == kSceneCamera ? video
+                                                                 : std::nullopt;
+    if (size) mapper_.setScreen({{0.0, 0.0}, *size});
+    mapper_.state(head_.coordinates);
+  }
+
+  /// Finds the columns of gaze whose names end like this.
+  bool findGaze(std::string_view suffix) {
+    const auto column = [&](std::string name) { return find({name.append(suffix)}); };
+    gazeX_ = column("Gaze point X");
+    gazeY_ = column("Gaze point Y");
+    leftX_ = column("Gaze point left X");
+    leftY_ = column("Gaze point left Y");
+    rightX_ = column("Gaze point right X");
+    rightY_ = column("Gaze point right Y");
+    return gazeX_ != kAbsent || leftX_ != kAbsent;
+  }
+
+  /// The display's pixels, or, where only those of the medium were exported, its own pixels or
+  /// 0..1.
+  Coordinates coordinates() {
+    for (const std::string_view suffix : {" [DACS px]", ""}) {
+      if (!findGaze(suffix)) continue;
+      suffixed_ = !suffix.empty();
+      return {.unit = GazeUnit::Pixels,
+              .origin = GazeOrigin::TopLeft,
+              .unitBy = suffixed_ ? "file" : "format"};
+    }
+    const bool pixels = findGaze(" [MCS px]");
+    if (!pixels && !findGaze(" [MCS norm]")) (void)require({"Gaze point X"});
+    suffixed_ = true;
+    of_ = videoWidth_ != kAbsent && width_ == kAbsent ? kSceneCamera : "medium";
+    return {.unit = pixels ? GazeUnit::Pixels : GazeUnit::Normalised,
             .origin = GazeOrigin::TopLeft,
-            .of = "medium",
+            .of = of_,
             .unitBy = "file"};
   }
 
@@ -104,10 +128,6 @@ class TobiiProLabParser final : public TableParser {
   [[nodiscard]] bool isEvent() const {
     if (sensor_ != kAbsent) return cell(sensor_) != "Eye Tracker";
     return cell(leftValidity_).empty() && cell(rightValidity_).empty();
-  }
-
-  [[nodiscard]] std::optional<std::int64_t> nanoseconds() const {
-    return parseTicks(cell(time_), digitsOf(TimeUnit::Nanoseconds) - digitsOf(unit_));
   }
 
   Column time_ = kAbsent;
@@ -125,6 +145,13 @@ class TobiiProLabParser final : public TableParser {
   Column rightPupil_ = find({"Pupil diameter right [mm]", "Pupil diameter right"});
   Column width_ = find({"Recording resolution width [px]", "Recording resolution width"});
   Column height_ = find({"Recording resolution height [px]", "Recording resolution height"});
+  Column videoWidth_ = find({"Recording media width [px]", "Recording media width"});
+  Column videoHeight_ = find({"Recording media height [px]", "Recording media height"});
+  Column leftZ_ = findStart("Eye position left Z");  // millimetres from the display
+  Column rightZ_ = findStart("Eye position right Z");
+  std::string_view of_ = "screen";
+  bool suffixed_ = false;  ///< the columns say of what they are
+  bool settled_ = false;   ///< settle() was called
   CoordinateMapper mapper_;
   TickClock clock_;
 };
@@ -132,8 +159,9 @@ class TobiiProLabParser final : public TableParser {
 }  // namespace
 
 bool isTobiiProLab(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, '\t');
-  return cells.hasStart("Recording timestamp") && cells.hasStart("Gaze point ");
+  const HeaderCells cells(header);
+  return cells.hasStart("Recording timestamp") &&
+         (cells.hasStart("Gaze point ") || cells.has("Sensor"));
 }
 
 std::unique_ptr<LogParser> openTobiiProLab(std::string_view header, const LogContext& context) {

@@ -9,18 +9,17 @@ namespace {
 
 constexpr std::string_view kLeftPoint = "left_gaze_point_on_display_area";
 
-/// The separator that makes the columns of the format appear; nothing where none does.
-std::optional<char> separatorOf(std::string_view header) {
-  for (const char separator : {';', ',', '\t'}) {
-    if (HeaderCells(header, separator).hasStart(kLeftPoint)) return separator;
-  }
-  return std::nullopt;
+/// Millimetres towards the viewer in "(x, y, z)"; nothing where there are none.
+std::optional<double> depthOf(std::string_view tuple) {
+  const std::size_t comma = tuple.rfind(',');
+  if (comma == std::string_view::npos || !tuple.ends_with(')')) return std::nullopt;
+  return parseNumber(trimmed(tuple.substr(comma + 1, tuple.size() - comma - 2)));
 }
 
 class TobiiSdkParser final : public TableParser {
  public:
   TobiiSdkParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, separatorOf(header).value_or(',')),
+      : TableParser(header, context),
         mapper_({.unit = GazeUnit::Normalised, .origin = GazeOrigin::TopLeft}, options_, where_),
         clock_(1e6) {
     if (time_ == kAbsent) (void)require({"device_time_stamp"});
@@ -29,8 +28,8 @@ class TobiiSdkParser final : public TableParser {
 
   Row row(std::string_view text, GazeSample& sample, std::string& problem) override {
     if (!split(text, problem)) return Row::Wrong;
-    const std::optional<std::int64_t> time = parseTicks(cell(time_), 0);
-    if (!time) return wrong(time_, "microseconds", problem);
+    const std::optional<std::int64_t> time = this->time(time_, 0, "microseconds", problem);
+    if (!time) return Row::Wrong;
     EyeReading eyes[2];
     for (std::size_t i = 0; i < 2; ++i) {
       const Eye& eye = eyes_[i];
@@ -49,6 +48,10 @@ class TobiiSdkParser final : public TableParser {
         eyes[i].raw = pair(eye.x, eye.y);
       }
       eyes[i].pupil = pupil(eye.pupil);
+      if (eyes[i].seen) {
+        noteDistance(eye.z, kAbsent);
+        if (const auto depth = depthOf(cell(eye.origin))) head_.display.noteDistance(*depth);
+      }
     }
     sample.timeSeconds = clock_.seconds(*time, head_);
     combineEyes(eyes[0], eyes[1], std::nullopt, mapper_, head_, sample);
@@ -58,19 +61,24 @@ class TobiiSdkParser final : public TableParser {
  private:
   struct Eye {
     Column tuple, x, y, validity, pupil;
+    Column origin, z;  ///< of the eye, before the tracker
   };
   // System time is only a stand-in: some scripts round it to 10 ms.
   Column time_ = find({"device_time_stamp", "system_time_stamp"});
-  Eye eyes_[2] = {
-      eye("left_gaze_point_on_display_area", "left_gaze_point_on_display_area_x",
-          "left_gaze_point_on_display_area_y", "left_gaze_point_validity", "left_pupil_diameter"),
-      eye("right_gaze_point_on_display_area", "right_gaze_point_on_display_area_x",
-          "right_gaze_point_on_display_area_y", "right_gaze_point_validity",
-          "right_pupil_diameter")};
+  Eye eyes_[2] = {eye("left_gaze_point_on_display_area", "left_gaze_point_on_display_area_x",
+                      "left_gaze_point_on_display_area_y", "left_gaze_point_validity",
+                      "left_pupil_diameter", "left_gaze_origin_in_user_coordinate_system",
+                      "left_gaze_origin_in_user_coordinate_system_z"),
+                  eye("right_gaze_point_on_display_area", "right_gaze_point_on_display_area_x",
+                      "right_gaze_point_on_display_area_y", "right_gaze_point_validity",
+                      "right_pupil_diameter", "right_gaze_origin_in_user_coordinate_system",
+                      "right_gaze_origin_in_user_coordinate_system_z")};
 
   [[nodiscard]] Eye eye(std::string_view tuple, std::string_view x, std::string_view y,
-                        std::string_view validity, std::string_view pupil) const {
-    Eye columns{find({tuple}), kAbsent, kAbsent, require({validity}), find({pupil})};
+                        std::string_view validity, std::string_view pupil, std::string_view origin,
+                        std::string_view z) const {
+    Eye columns{find({tuple}), kAbsent,        kAbsent,  require({validity}),
+                find({pupil}), find({origin}), find({z})};
     if (columns.tuple == kAbsent) {
       columns.x = require({x});
       columns.y = require({y});
@@ -85,7 +93,7 @@ class TobiiSdkParser final : public TableParser {
 }  // namespace
 
 bool isTobiiSdk(std::string_view header, const LogContext& /*context*/) {
-  return separatorOf(header).has_value();
+  return HeaderCells(header).hasStart(kLeftPoint);
 }
 
 std::unique_ptr<LogParser> openTobiiSdk(std::string_view header, const LogContext& context) {

@@ -18,7 +18,7 @@ constexpr double kFarthestPixel = 1e6;
 class TobiiStudioParser final : public TableParser {
  public:
   TobiiStudioParser(std::string_view header, const LogContext& context)
-      : TableParser(header, context, '\t'),
+      : TableParser(header, context),
         mapper_({.unit = GazeUnit::Pixels, .origin = GazeOrigin::TopLeft, .unitBy = "format"},
                 options_, where_),
         clock_(1e6) {
@@ -54,10 +54,10 @@ class TobiiStudioParser final : public TableParser {
     if (!validity(rightValidity_, right.seen)) return wrong(rightValidity_, "0 to 4", problem);
     const bool fine = micro_ != kAbsent;
     const std::optional<std::int64_t> time =
-        parseTicks(cell(fine ? micro_ : milli_), fine ? 0 : kMilliToMicro);
-    if (!time) {
-      return wrong(fine ? micro_ : milli_, fine ? "microseconds" : "milliseconds", problem);
-    }
+        this->time(fine ? micro_ : milli_, fine ? 0 : kMilliToMicro,
+                   fine ? "microseconds" : "milliseconds", problem);
+    if (!time) return Row::Wrong;
+    noteDistance(left.seen ? leftDistance_ : kAbsent, right.seen ? rightDistance_ : kAbsent);
     sample.timeSeconds = clock_.seconds(*time, head_);
     if (!perMedium_) {
       combineEyes(left, right, pair(gazeX_, gazeY_), mapper_, head_, sample);
@@ -137,6 +137,8 @@ class TobiiStudioParser final : public TableParser {
   Column rightY_ = find({"GazePointYRight", "GazePointRightY (ADCSpx)"});
   Column leftPupil_ = find({"PupilLeft"});
   Column rightPupil_ = find({"PupilRight"});
+  Column leftDistance_ = find({"DistanceLeft"});
+  Column rightDistance_ = find({"DistanceRight"});
   Column micro_ = find({"MicroSecondTimestamp", "EyeTrackerTimestamp"});
   Column milli_ = find({"Timestamp", "RecordingTimestamp"});
   Column mediaX_ = find({"MediaPosX", "MediaPosX (ADCSpx)"});
@@ -156,7 +158,7 @@ class TobiiStudioParser final : public TableParser {
 }  // namespace
 
 bool isTobiiStudio(std::string_view header, const LogContext& /*context*/) {
-  const HeaderCells cells(header, '\t');
+  const HeaderCells cells(header);
   return cells.has("ValidityLeft") || cells.has("GazePointX") || cells.has("GazePointX (ADCSpx)");
 }
 

@@ -2,27 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/shell.h"
+
 namespace macula::tools {
 
-std::string shellQuoted(std::string_view word) {
-  constexpr std::string_view kSafe =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,+@%";
-  if (!word.empty() && word.find_first_not_of(kSafe) == std::string_view::npos) {
-    return std::string(word);
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    // A quote cannot stand between quotes: end them, write it, begin anew.
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
+std::string asArgument(const std::string& file) {
+  return shellQuoted(file.starts_with('-') ? "./" + file : file);
 }
 
 std::string walkCommandLine(const settings::Registry& registry, const std::string& scene,
                             glm::ivec2 size, const std::string& gaze) {
-  // A file whose name begins like an option is named by its folder.
-  const std::string place = scene.starts_with('-') ? "./" + scene : scene;
-  std::string text = fmt::format("macula walk {} --size {}x{}", shellQuoted(place), size.x, size.y);
+  std::string text = fmt::format("macula walk {} --size {}x{}", asArgument(scene), size.x, size.y);
   if (gaze != "mouse") text += " --gaze " + shellQuoted(gaze);
   for (const settings::Entry& entry : registry.entries()) {
     if (entry.isDefault()) continue;

@@ -3,14 +3,13 @@
 
 #include <glm/glm.hpp>
 #include <string>
-#include <string_view>
 
 #include "engine/settings/registry.h"
 
 namespace macula::tools {
 
-/// A word as a POSIX shell reads it back: as it is where that is safe, else in single quotes.
-[[nodiscard]] std::string shellQuoted(std::string_view word);
+/// A file as an argument in a shell: one whose name begins like an option is named by its folder.
+[[nodiscard]] std::string asArgument(const std::string& file);
 
 /// `macula walk SCENE --size WxH --gaze SPEC` and every setting that is not its default.
 /// @param gaze as --gaze takes it

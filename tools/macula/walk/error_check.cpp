@@ -1,5 +1,7 @@
 #include "walk/error_check.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "engine/measure/error_maps.h"
@@ -23,8 +25,14 @@ ErrorCheck::Result measurePair(const PicturePair& pair) {
   const image::ImageF test = toFloat(pair.test);
   measure::Comparison comparison = measure::compareWithMap(reference, test);
   measure::DifferenceMap difference = measure::differenceMap(reference, test);
-  ErrorCheck::Result result{pair.referenceName,          pair.testName,    comparison.error,
-                            std::move(difference.image), difference.scale, {}};
+  ErrorCheck::Result result{.referenceName = pair.referenceName,
+                            .testName = pair.testName,
+                            .scene = pair.scene,
+                            .frame = pair.frame,
+                            .error = comparison.error,
+                            .difference = std::move(difference.image),
+                            .differenceScale = difference.scale,
+                            .flip = {}};
   if (comparison.flipMap) result.flip = measure::flipImage(*comparison.flipMap);
   return result;
 }
@@ -45,6 +53,12 @@ bool ErrorCheck::poll() {
   if (!job_.ready()) return false;
   result_ = job_.take();
   return true;
+}
+
+std::string ErrorCheck::title(std::string_view scene) const {
+  if (!result_) return {};
+  return fmt::format("{} against {}, at frame {}{}", result_->testName, result_->referenceName,
+                     result_->frame, result_->scene == scene ? "" : " of " + result_->scene);
 }
 
 void ErrorCheck::show(Map map) {

@@ -17,6 +17,8 @@ namespace macula::tools {
 struct PicturePair {
   std::string referenceName;  ///< of the method
   std::string testName;
+  std::string scene;
+  int frame = 0;            ///< FrameEvents::index of the view
   image::Image8 reference;  ///< 3 channels, display values
   image::Image8 test;
 };
@@ -28,6 +30,8 @@ class ErrorCheck {
   struct Result {
     std::string referenceName;
     std::string testName;
+    std::string scene;
+    int frame = 0;  ///< that was measured; the walk goes on
     measure::ImageError error;
     image::Image8 difference;
     double differenceScale = 1.0;
@@ -41,6 +45,10 @@ class ErrorCheck {
   bool poll();
   /// The newest; none before the first.
   [[nodiscard]] const std::optional<Result>& result() const { return result_; }
+
+  /// What the newest figures and maps are of: "blend against ab-sbuffer, at frame 812".
+  /// @param scene that is shown now: another one is named
+  [[nodiscard]] std::string title(std::string_view scene) const;
 
   /// Shows a map of the result in place of the picture. The view it is of stays until then.
   void show(Map map);

@@ -3,20 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <sstream>
+
+#include "engine/scene/load.h"
 
 namespace macula::tools {
 
 namespace fs = std::filesystem;
-
-bool isSceneFile(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".glb" || extension == ".gltf";
-}
 
 bool isCameraPathFile(const fs::path& path) {
   constexpr std::string_view kFirstColumns = "time_s,x,y,z,target_x";
@@ -40,7 +34,7 @@ std::vector<fs::path> sceneFiles(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end && files.size() < kMost;
        it.increment(error)) {
-    if (isSceneFile(it->path())) files.push_back(it->path().lexically_normal());
+    if (scene::isSceneFile(it->path())) files.push_back(it->path().lexically_normal());
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -9,8 +9,6 @@
 
 namespace macula::tools {
 
-/// Whether a path ends in .glb or .gltf, in any case.
-[[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
 /// Whether a file is a camera path: by its content, which begins with the path's header.
 [[nodiscard]] bool isCameraPathFile(const std::filesystem::path& path);
 

@@ -15,9 +15,6 @@ constexpr float kFastest = 100.0F;
 /// Straight up and down have no heading.
 constexpr float kSteepest = 1.55F;
 
-/// A slow frame moves as if it had been this fast, so that a pause does not end behind a wall.
-constexpr float kLongestStep = 0.1F;
-
 /// Planes for going anywhere in the scene and standing well outside of it, in radii. Depth is
 /// reversed 32-bit float, which loses little to a near plane this close.
 constexpr float kNearRadii = 0.002F;

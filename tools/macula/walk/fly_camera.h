@@ -9,6 +9,10 @@ namespace macula::tools {
 
 class FlyCamera {
  public:
+  /// A slow frame moves as if it had been this fast, in seconds, so that a pause does not end
+  /// behind a wall.
+  static constexpr float kLongestStep = 0.1F;
+
   /// What the keys and the mouse ask for in one frame.
   struct Motion {
     glm::vec3 move{0.0F};  ///< right, up, ahead, each -1..1

@@ -50,6 +50,7 @@ void GazeControl::poll() {
       delay_ = {};
       source_ = std::move(opened.source);
       recording_ = std::move(opened.recording);
+      untold_ = recording_ ? recording_->warnings : std::vector<std::string>{};
       spec_ = opened.spec;
       begin_.reset();
       listen();
@@ -64,7 +65,8 @@ void GazeControl::poll() {
     job_.start([open = sources_.open, spec = *queued_, settings = settings_] {
       Opened opened{spec, open(spec, settings), {}};
       if (const auto* log = dynamic_cast<const gaze::ReplayGaze*>(opened.source.get())) {
-        opened.recording = Recording{gaze::assess(log->log()), log->log().format};
+        opened.recording =
+            Recording{gaze::assess(log->log()), log->log().format, log->viewing().warnings};
       }
       return opened;
     });

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/gaze/delay.h"
@@ -57,8 +58,11 @@ class GazeControl {
   struct Recording {
     gaze::GazeQuality quality;
     std::string format;
+    std::vector<std::string> warnings;  ///< see gaze::Viewing
   };
   [[nodiscard]] const std::optional<Recording>& recording() const { return recording_; }
+  /// Of a recording that has just been opened; empty from the second call on.
+  [[nodiscard]] std::vector<std::string> takeWarnings() { return std::exchange(untold_, {}); }
   [[nodiscard]] double sourceSeconds() const { return sourceSeconds_; }
 
   /// The states of the last frames, a ring for a strip.
@@ -89,6 +93,7 @@ class GazeControl {
   std::string opening_;
   std::optional<std::string> queued_;
   std::optional<Recording> recording_;
+  std::vector<std::string> untold_;
   std::optional<double> begin_;  ///< of the source, in seconds of the walk
   double sourceSeconds_ = 0.0;
   std::vector<std::string> logs_;

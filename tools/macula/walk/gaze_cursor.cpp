@@ -21,6 +21,7 @@ std::uint32_t colorOf(gaze::GazeState state) {
     case gaze::GazeState::Easing:
       return IM_COL32(255, 165, 70, 255);
     case gaze::GazeState::None:
+    case gaze::GazeState::Ended:
       break;
   }
   return IM_COL32(170, 172, 178, 255);

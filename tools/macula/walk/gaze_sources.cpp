@@ -13,7 +13,7 @@ GazeChoice choiceOf(const gaze::hid::TrackerInfo& tracker) {
   choice.spec = fmt::format("hid:{:04x}:{:04x}", tracker.vendorId, tracker.productId);
   if (!tracker.serial.empty()) choice.spec += ":" + tracker.serial;
   choice.note = oneLine(tracker.name);
-  if (!tracker.accessible) choice.note += " (no permission; choose it to see the mend)";
+  if (!tracker.accessible) choice.note += " (no permission; choose it to see how to grant it)";
   return choice;
 }
 

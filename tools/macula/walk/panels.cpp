@@ -83,6 +83,45 @@ float drawHints() {
   return height;
 }
 
+/// What is being recorded, at the lower left: seen with the panels and without them.
+/// @param bottom of it. @returns its height
+float drawRecordings(const std::vector<std::string>& recordings, float bottom) {
+  if (recordings.empty()) return 0.0F;
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const float line = ImGui::GetTextLineHeight();
+  const float most = ImGui::GetIO().DisplaySize.x;
+  const float radius = 0.3F * line;
+  const float indent = 1.2F * line;  // the dot's place
+  const float wrap = most - indent - 2.0F * padding.x;
+  float width = 0.0F;
+  float height = padding.y;
+  for (const std::string& text : recordings) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    width = std::max(width, size.x);
+    height += size.y;
+  }
+  const ImVec2 low(0.0F, bottom - height);
+  ImGui::SetNextWindowPos(low);
+  ImGui::SetNextWindowSize({std::min(width + indent + 2.0F * padding.x, most), height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding.x, 0.5F * padding.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+  ImGui::Begin("recording", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
+  for (const std::string& text : recordings) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5F * line}, radius,
+                                                IM_COL32(235, 60, 50, 255));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+    ui::note(text, ui::Tone::Plain);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(4);
+  return height;
+}
+
 std::vector<ui::KeyRow> helpRows() {
   std::vector<ui::KeyRow> rows;
   for (const ActionRow& row : actionRows()) rows.push_back({row.group, row.keyName, row.help});
@@ -162,15 +201,18 @@ void Panels::add(const passes::FrameRenderer& renderer, const passes::FrameResul
     }
   }
   timeline_.add(rows_, result.totalMs, layers);
+  time_.add(renderer.plan().method->id, result.totalMs);
 }
 
 void Panels::draw(const PanelInput& input, Requests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   const float margin = kMargin * em;
-  const float hintHeight = shown_ ? drawHints() : 0.0F;
+  footHeight_ = shown_ ? drawHints() : 0.0F;
+  footHeight_ += drawRecordings(input.recordings, size.y - footHeight_);
   const float width = std::min(kPanelWidth * em, kWidestShare * size.x);
-  const ImVec2 most(width, std::max(4.0F * em, size.y - hintHeight - 2.0F * margin));
+  const float bottom = std::min(size.y - footHeight_, input.bottom);
+  const ImVec2 most(width, std::max(4.0F * em, bottom - 2.0F * margin));
   const ImGuiWindowFlags flags = kPanelFlags | ImGuiWindowFlags_AlwaysAutoResize;
   if (shown_) {
     ImGui::SetNextWindowPos({margin, margin});
@@ -248,7 +290,7 @@ void Panels::drawLoading(const SceneLoader& loader, bool small, Requests& reques
   ImGui::End();
 }
 
-bool Panels::drawMessage(const Message* message) const {
+bool Panels::drawMessage(const Message* message, float bottom) const {
   if (message == nullptr) return false;
   if (!message->error && std::chrono::steady_clock::now() - message->since > kMessageTime) {
     return true;
@@ -256,8 +298,6 @@ bool Panels::drawMessage(const Message* message) const {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   const float width = std::min(kMessageWidth * em, size.x - 2.0F * kMargin * em);
-  constexpr float kBelowLines = 6.0F;  // the bar of keys in a narrow window, names of two methods
-  const float bottom = size.y - kBelowLines * ImGui::GetTextLineHeight();
   ImGui::SetNextWindowPos({0.5F * size.x, bottom}, ImGuiCond_Always, {0.5F, 1.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, bottom});
   ImGui::SetNextWindowBgAlpha(1.0F);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/ui/frame_rate.h"
 #include "engine/ui/settings_panel.h"
 #include "engine/ui/timeline.h"
 #include "frame_control.h"
@@ -44,6 +45,10 @@ struct PanelInput {
   SecondView& second;
   const ErrorCheck& errors;
   const FrameControl& control;
+  const ui::FrameRate& rate;
+  const ui::MethodTime& time;                  ///< of method A
+  const std::vector<std::string>& recordings;  ///< what is being recorded, a line each
+  float bottom = 0.0F;  ///< no panel reaches below it, in the UI's coordinates: labels stand there
 };
 
 /// What is typed and listed on the tabs, from frame to frame.
@@ -69,8 +74,10 @@ class Panels {
   void draw(const PanelInput& input, Requests& requests);
   /// What is loading, in the middle of an empty window or small over the picture.
   void drawLoading(const SceneLoader& loader, bool small, Requests& requests) const;
-  /// @param message null where there is none. @returns whether it was clicked away
-  [[nodiscard]] bool drawMessage(const Message* message) const;
+  /// @param message null where there is none
+  /// @param bottom of its box, in the UI's coordinates
+  /// @returns whether it was clicked away
+  [[nodiscard]] bool drawMessage(const Message* message, float bottom) const;
 
   void toggle() { shown_ = !shown_; }
   void toggleHelp() { helpShown_ = !helpShown_; }
@@ -82,11 +89,18 @@ class Panels {
   [[nodiscard]] bool close();
   /// Lists the scene files of a folder.
   void listFolder(const std::filesystem::path& folder);
+  /// Scene files of that folder.
+  [[nodiscard]] std::size_t listed() const { return state_.files.size(); }
 
   [[nodiscard]] ui::SettingsPanel& settings() { return panel_; }
   [[nodiscard]] const std::string& tab() const { return tabNames()[tab_]; }
   [[nodiscard]] bool shown() const { return shown_; }
   [[nodiscard]] bool helpShown() const { return helpShown_; }
+  /// Of method A.
+  [[nodiscard]] const ui::MethodTime& time() const { return time_; }
+  /// Height of what stands along the lower edge, in the UI's coordinates: nothing else may be
+  /// there.
+  [[nodiscard]] float footHeight() const { return footHeight_; }
 
  private:
   void drawTabs(const PanelInput& input, Requests& requests);
@@ -97,10 +111,12 @@ class Panels {
 
   ui::SettingsPanel panel_;
   ui::Timeline timeline_;
+  ui::MethodTime time_;
   std::vector<ui::TimeRow> rows_;  ///< of the newest frame; kept for its memory
   std::vector<float> resizes_;     ///< r of the last frames where a law chooses it, the newest last
   TabState state_;
   std::size_t tab_ = 0;
+  float footHeight_ = 0.0F;
   bool shown_;
   bool helpShown_ = false;
   std::optional<bool> numbersOpen_;  ///< none: as the window's width suggests
@@ -112,5 +128,8 @@ void drawSceneTab(const PanelInput& input, TabState& state, Requests& requests);
 void drawGazeTab(const PanelInput& input, TabState& state, Requests& requests);
 void drawCameraTab(const PanelInput& input, TabState& state, Requests& requests);
 void drawCompareTab(const PanelInput& input, Requests& requests);
+
+/// The median frame time of each method that is shown, by its name.
+void drawMethodTimes(const PanelInput& input);
 
 }  // namespace macula::tools

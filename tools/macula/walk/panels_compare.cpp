@@ -26,18 +26,15 @@ void drawSecond(const PanelInput& input, Requests& requests) {
       second.panel().row("oit.tail");
     }
     const passes::FrameResult& b = second.result();
-    ui::nameValue("frame, A and B",
-                  fmt::format("{:.1f} and {:.1f} ms", input.result.totalMs, b.totalMs));
+    drawMethodTimes(input);
     const auto lost = [](const passes::FrameResult& result) {
-      return result.fragments ? ui::countText(result.fragments->lost) : std::string("?");
+      return result.fragments ? ui::countText(result.fragments->lost) : std::string("not counted");
     };
     ui::nameValue("lost, A and B", fmt::format("{} and {}", lost(input.result), lost(b)));
   }
   if (second.mode() == ViewMode::Split) ui::note("Drag the line in the picture.");
   if (second.mode() == ViewMode::Difference) {
-    const double hottest = 1.0 / static_cast<double>(second.differenceScale());
-    ui::drawLegend({fmt::format("largest |A - B| of R, G, B, times {:g}", second.differenceScale()),
-                    hottest, true, "equal"});
+    ui::drawLegend(second.differenceLegend());
     if (ui::flowButton("amplify more (,)", true)) {
       requests.push_back({Action::ScaleDifference, "down"});
     }
@@ -54,10 +51,16 @@ void drawSecond(const PanelInput& input, Requests& requests) {
   ImGui::PopID();
 }
 
-void drawResult(const ErrorCheck& errors, Requests& requests) {
+void drawResult(const PanelInput& input, Requests& requests) {
+  const ErrorCheck& errors = input.errors;
   const ErrorCheck::Result& result = *errors.result();
   const measure::ImageError& error = result.error;
-  ui::note(fmt::format("{} against {}", result.testName, result.referenceName), ui::Tone::Plain);
+  ui::note(errors.title(input.scene.name), ui::Tone::Plain);
+  // The picture and its times go on; these figures stay what they are.
+  ui::note(
+      fmt::format("{} ago; now at frame {}",
+                  ui::numberOf(static_cast<unsigned>(input.events.index - result.frame), "frame"),
+                  input.events.index));
   ui::nameValue("RMSE", fmt::format("{:.6f}", error.rmse));
   ui::nameValue(
       "PSNR", error.psnrDb ? fmt::format("{:.2f} dB", *error.psnrDb) : std::string("equal images"));
@@ -68,11 +71,11 @@ void drawResult(const ErrorCheck& errors, Requests& requests) {
     requests.push_back({Action::ShowMap, mapNames()[*pressed]});
   }
   if (errors.map() == ErrorCheck::Map::Difference) {
-    ui::note(fmt::format("|difference| of R, G, B times {:g}, of the view that was measured",
-                         result.differenceScale));
+    ui::note(fmt::format("|difference| of R, G, B times {:g}, at frame {}", result.differenceScale,
+                         result.frame));
   }
   if (errors.map() == ErrorCheck::Map::Flip) {
-    ui::note("FLIP from 0 (black) to 1 (light yellow), of the view that was measured");
+    ui::note(fmt::format("FLIP from 0 (black) to 1 (light yellow), at frame {}", result.frame));
   }
 }
 
@@ -90,7 +93,7 @@ void drawCompareTab(const PanelInput& input, Requests& requests) {
     ui::note("Two methods in one window: A as on the view tab, B with settings of its own.");
   }
   ImGui::Separator();
-  ImGui::TextDisabled("errors of this view");
+  ImGui::TextDisabled("measure this view");
   ImGui::BeginDisabled(input.errors.busy());
   if (ui::flowButton("against the exact image (X)", true)) {
     requests.push_back({Action::Measure, "exact"});
@@ -102,7 +105,7 @@ void drawCompareTab(const PanelInput& input, Requests& requests) {
   if (input.errors.busy()) {
     ui::note("measuring ...", ui::Tone::Warning);
   } else if (input.errors.result()) {
-    drawResult(input.errors, requests);
+    drawResult(input, requests);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
 #include "engine/ui/widgets.h"
 #include "walk/file_names.h"
@@ -17,8 +18,10 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-/// A field for a path, with a button. @returns whether it was entered
-bool pathField(const char* id, const char* hint, const char* button, std::string& text) {
+/// A field for a path, with a button. @returns whether something was entered; that nothing was is
+/// said, too
+bool pathField(const char* id, const char* hint, const char* button, std::string& text,
+               Requests& requests) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttonWidth = ImGui::CalcTextSize(button).x + 2.0F * style.FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttonWidth - style.ItemSpacing.x);
@@ -27,6 +30,9 @@ bool pathField(const char* id, const char* hint, const char* button, std::string
   ImGui::PushID(id);
   entered = ImGui::Button(button) || entered;
   ImGui::PopID();
+  if (entered && text.empty()) {
+    requests.push_back({Action::Refuse, fmt::format("the field is empty; type a {}", hint)});
+  }
   return entered && !text.empty();
 }
 
@@ -87,6 +93,7 @@ void drawRecording(const GazeControl& gaze) {
   ImGui::ProgressBar(static_cast<float>(duration > 0.0 ? played / duration : 1.0),
                      {ImGui::GetContentRegionAvail().x, 0.0F}, text.c_str());
   ui::nameValue("format", recording.format);
+  for (const std::string& warning : recording.warnings) ui::note(warning, ui::Tone::Warning);
   ui::nameValue("samples",
                 fmt::format("{} at {:.1f} Hz", ui::countText(quality.samples), quality.rateHz));
   const double samples = static_cast<double>(std::max<std::size_t>(1, quality.samples));
@@ -129,20 +136,21 @@ void drawStatus(const PanelInput& input) {
 void drawSceneTab(const PanelInput& input, TabState& state, Requests& requests) {
   ui::note(input.scene.name, ui::Tone::Plain);
   ui::note(input.scene.facts);
+  for (const std::string& warning : input.scene.warnings) ui::note(warning, ui::Tone::Warning);
   ImGui::Separator();
   drawRecipes(input, state, requests);
   ImGui::Separator();
   std::error_code error;
   const auto folder = std::filesystem::weakly_canonical(state.folder, error);
-  ui::note(fmt::format("{}: {}", folder.string(),
-                       state.files.empty() ? "no .glb or .gltf"
-                                           : fmt::format("{} scene files", state.files.size())));
+  ui::note(fmt::format(
+      "{}: {}", folder.string(),
+      state.files.empty() ? "no .glb or .gltf" : ui::numberOf(state.files.size(), "scene file")));
   for (const std::filesystem::path& file : state.files) {
     if (ImGui::Selectable(file.filename().c_str(), file.string() == input.scene.name)) {
       requests.push_back({Action::LoadScene, file.string()});
     }
   }
-  if (pathField("##scene", "file, folder or name", "open", state.sceneField)) {
+  if (pathField("##scene", "file, folder or name", "open", state.sceneField, requests)) {
     requests.push_back({Action::Drop, state.sceneField});
   }
   ui::note("or drop a .glb or .gltf file on the window");
@@ -158,7 +166,7 @@ void drawGazeTab(const PanelInput& input, TabState& state, Requests& requests) {
       ImGui::SetTooltip("%s", choice.note.c_str());
     }
   }
-  if (pathField("##gaze", "log file, x,y or hid", "open", state.gazeField)) {
+  if (pathField("##gaze", "log file, place x,y or hid", "open", state.gazeField, requests)) {
     requests.push_back({Action::GazeSource, state.gazeField});
   }
   ui::note("or drop a gaze log on the window");
@@ -197,13 +205,14 @@ void drawCameraTab(const PanelInput& input, TabState& state, Requests& requests)
       requests.push_back({Action::PlayPath, camera.pathName()});
     }
   }
-  if (pathField("##path", "path file (CSV)", "play", state.pathField)) {
+  if (pathField("##path", "path file (CSV)", "play", state.pathField, requests)) {
     requests.push_back({Action::PlayPath, state.pathField});
   }
   ImGui::Separator();
   if (camera.recording()) {
     ui::nameValue("recording",
-                  fmt::format("{:.1f} s, {} keys", camera.recordedSeconds(), camera.recordedKeys()),
+                  fmt::format("{:.1f} s, {}", camera.recordedSeconds(),
+                              ui::numberOf(camera.recordedKeys(), "key")),
                   ui::Tone::Error);
   }
   if (ui::flowButton(camera.recording() ? "end and save (L)" : "record a path (L)", true)) {

@@ -14,36 +14,18 @@
 namespace macula::tools {
 namespace {
 
-struct MapWords {
-  std::string_view map;
-  const char* quantity;
-  bool mayExceed;
-};
-
-constexpr std::array kMapWords{
-    MapWords{"k", "k(p): slots of each sample", true},
-    MapWords{"depth-complexity", "transparent fragments of each sample", true},
-    MapWords{"importance", "importance, Eq. 6", false},
-    MapWords{"periphery", "periphery factor, Eq. 4", false},
-    MapWords{"depth-factor", "depth complexity factor, Eq. 3", false},
-    MapWords{"fresnel", "Fresnel factor, Eq. 5", false},
-    MapWords{"shading-rate", "log2 of the texels a side that share a sample of the shading", false},
-};
-
 void drawHeatmapLegend(const PanelInput& input) {
-  const std::string& map = input.settings.heatmap.map;
-  const auto words = std::find_if(kMapWords.begin(), kMapWords.end(),
-                                  [&](const MapWords& row) { return row.map == map; });
-  if (words == kMapWords.end()) return;
+  if (input.settings.heatmap.map == "none") return;
+  if (const std::optional<ui::Legend> legend = input.renderer.legend()) {
+    ui::drawLegend(*legend);
+    return;
+  }
   for (const frame::PassReport& pass : input.renderer.report()) {
     if (pass.name == "heatmap" && !pass.runs) {
       ui::note(fmt::format("Not shown: {}.", pass.reason), ui::Tone::Warning);
       return;
     }
   }
-  ui::drawLegend({words->quantity,
-                  passes::heatmapRange(input.settings.heatmap, input.renderer.plan()),
-                  words->mayExceed});
 }
 
 void drawFragments(const passes::FrameResult& result) {
@@ -70,6 +52,16 @@ void drawFragments(const passes::FrameResult& result) {
 }
 
 }  // namespace
+
+void drawMethodTimes(const PanelInput& input) {
+  const auto draw = [](const ui::MethodTime& time, std::string_view prefix) {
+    ui::nameValue(fmt::format("{}{}", prefix, time.method()),
+                  fmt::format("median {:.1f} ms", time.medianMs()));
+  };
+  const bool two = input.second.shown();
+  draw(input.time, two ? "A, " : "");
+  if (two) draw(input.second.time(), "B, ");
+}
 
 void Panels::drawControl(const PanelInput& input) {
   panel_.row("control.law");
@@ -134,6 +126,10 @@ void Panels::drawSettingsTab(Requests& requests) {
 
 void Panels::drawNumbers(const PanelInput& input) {
   const passes::FrameRenderer& renderer = input.renderer;
+  const std::optional<double> rate = input.rate.perSecond();
+  ui::nameValue(fmt::format("frame {}", input.events.index),
+                rate ? fmt::format("{:.1f} frames a second", *rate) : std::string());
+  drawMethodTimes(input);
   timeline_.draw();
   ImGui::Separator();
   drawFragments(input.result);

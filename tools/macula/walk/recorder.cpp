@@ -10,6 +10,7 @@
 
 #include "engine/core/sha256.h"
 #include "engine/recording/scene_source.h"
+#include "engine/ui/widgets.h"
 #include "macula_version.h"
 #include "recorded_levers.h"
 
@@ -40,7 +41,7 @@ recording::Session sessionOf(const RecordStart& start, const settings::Registry&
   }
   const settings::Entry* environment = registry.find("scene.environment");
   if (environment != nullptr && !environment->isDefault()) {
-    session.environmentSha256 = recording::fileSha256(std::get<std::string>(environment->get()));
+    session.environmentSha256 = fileSha256(std::get<std::string>(environment->get()));
   }
   return session;
 }
@@ -97,6 +98,7 @@ void WalkRecorder::frame(const RecordedFrame& events, const passes::FrameRendere
   if (renderer.steps().frames == steps_.frames) return;  // nothing was drawn
   noteSettings();
   noteSteps(renderer.steps());
+  if (frame_.index == 0) firstSeconds_ = events.timeSeconds;
   frame_.timeSeconds = events.timeSeconds;
   frame_.size = renderer.outputSize();
   frame_.cut = renderer.wasCut();
@@ -111,6 +113,11 @@ void WalkRecorder::frame(const RecordedFrame& events, const passes::FrameRendere
   }
   writer_.frame(frame_);
   ++frame_.index;
+}
+
+std::string WalkRecorder::facts() const {
+  return fmt::format("{}, {:.1f} s, {}", ui::numberOf(frame_.index, "frame"),
+                     frame_.timeSeconds - firstSeconds_, ui::numberOf(samples_, "gaze sample"));
 }
 
 }  // namespace macula::tools

@@ -50,9 +50,14 @@ class WalkRecorder {
   void frame(const RecordedFrame& events, const passes::FrameRenderer& renderer);
   /// To be called for each sample of the gaze as it came.
   /// @param sample its time is that since the session's start
-  void raw(const gaze::GazeSample& sample) { writer_.raw(sample); }
+  void raw(const gaze::GazeSample& sample) {
+    writer_.raw(sample);
+    ++samples_;
+  }
 
   [[nodiscard]] std::uint64_t frames() const { return frame_.index; }
+  /// "120 frames, 4.0 s, 481 gaze samples"
+  [[nodiscard]] std::string facts() const;
 
  private:
   void noteSettings();
@@ -64,6 +69,8 @@ class WalkRecorder {
   recording::RecordingWriter writer_;
   passes::RendererSteps steps_;  ///< at the last frame
   recording::Frame frame_;
+  double firstSeconds_ = 0.0;  ///< time of the first frame
+  std::uint64_t samples_ = 0;  ///< of the gaze
   std::vector<std::uint8_t> pixels_;
 };
 

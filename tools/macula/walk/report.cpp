@@ -45,6 +45,7 @@ ordered_json secondOf(const SecondView& second) {
   return {{"view", viewModeNames()[static_cast<std::size_t>(second.mode())]},
           {"method", second.settings().oit.method},
           {"difference_scale", second.differenceScale()},
+          {"ms", {{"total", second.result().totalMs}, {"median", second.time().medianMs()}}},
           {"fragments", fragmentsOf(second.result())}};
 }
 
@@ -53,6 +54,9 @@ ordered_json errorOf(const ErrorCheck& errors) {
   ordered_json json = measure::toJson(errors.result()->error);
   json["reference"] = errors.result()->referenceName;
   json["test"] = errors.result()->testName;
+  // Of this frame, not of the report's.
+  json["frame"] = errors.result()->frame;
+  json["scene"] = errors.result()->scene;
   return json;
 }
 
@@ -81,6 +85,8 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   ordered_json json{{"schema", 1},
                     {"frames", report.frames},
                     {"loading_frames", report.loadingFrames},
+                    {"frame", report.events.index},
+                    {"frames_per_second", nullptr},
                     {"scene", report.events.scene},
                     {"width", report.events.windowSize.x},
                     {"height", report.events.windowSize.y},
@@ -88,7 +94,8 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   json["gaze"] = {{"x", point.position.x},
                   {"y", point.position.y},
                   {"state", gaze::stateName(point.state)},
-                  {"source", report.gazeSource}};
+                  {"source", report.gazeSource},
+                  {"warnings", report.gazeWarnings}};
   json["camera"] = {{"position", placeOf(report.events.camera.position)},
                     {"target", placeOf(report.events.camera.target)},
                     {"playing", report.playing}};
@@ -96,6 +103,7 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   for (const frame::PassTime& pass : report.result.passes) {
     json["ms"][std::string(pass.name)] = pass.ms;
   }
+  if (report.framesPerSecond) json["frames_per_second"] = *report.framesPerSecond;
   json["fragments"] = fragmentsOf(report.result);
   json["k"] = nullptr;
   if (const auto& layers = report.result.layers) {

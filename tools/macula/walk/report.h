@@ -30,7 +30,8 @@ struct WalkReport {
   const SecondView& second;
   const ErrorCheck& errors;
   std::string gazeSource;
-  std::string tab;  ///< that is open; empty: panels are hidden
+  std::vector<std::string> gazeWarnings;  ///< of a recording that is played
+  std::string tab;                        ///< that is open; empty: panels are hidden
   std::optional<int> searchHits;
   std::string message;  ///< the last one that was shown
   std::string commandLine;
@@ -38,6 +39,7 @@ struct WalkReport {
   int loadingFrames = 0;  ///< drawn while a scene was loading
   bool playing = false;   ///< a camera path
   const FrameControl& control;
+  std::optional<double> framesPerSecond;  ///< from present to present
 };
 
 [[nodiscard]] nlohmann::ordered_json describeWalk(const WalkReport& report,

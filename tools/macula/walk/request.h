@@ -34,6 +34,7 @@ enum class Action {
   Png,              ///< argument: a file, or empty for a numbered one
   Exr,
   CopyCommand,
+  Refuse,  ///< says why nothing is done; argument: the reason
 };
 
 struct Request {

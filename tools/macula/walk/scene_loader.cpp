@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "engine/scene/light_choice.h"
 #include "engine/ui/widgets.h"
 
 namespace macula::tools {
@@ -12,14 +13,16 @@ ShownScene upload(const ReadyScene& ready) {
   const LoadedScene& loaded = ready.loaded;
   ShownScene shown;
   shown.name = ready.name;
+  shown.warnings = loaded.scene.warnings;
   shown.gpu = std::make_unique<scene::GpuScene>(
       loaded.scene, loaded.environment ? &*loaded.environment : nullptr);
   std::size_t triangles = 0;
   for (const scene::Instance& instance : loaded.scene.instances) {
     triangles += loaded.scene.primitives[instance.primitive].indices.size() / 3;
   }
-  shown.facts = fmt::format("{} triangles, {} draws, {}", ui::countText(triangles),
-                            loaded.scene.instances.size(), ui::bytesText(shown.gpu->bytes()));
+  shown.facts = fmt::format("{}, {}, {}", ui::numberOf(triangles, "triangle"),
+                            ui::numberOf(loaded.scene.instances.size(), "draw"),
+                            ui::bytesText(shown.gpu->bytes()));
   return shown;
 }
 
@@ -40,8 +43,11 @@ void SceneLoader::start() {
     ready.loaded = loadForRendering(wanted.name, wanted.settings);
     stage_ = Stage::Framing;
     ready.orbit = scene::autoOrbit(ready.loaded.scene);
-    ready.start = ready.loaded.scene.cameras.empty() ? ready.orbit.at(0.0)
-                                                     : ready.loaded.scene.cameras.front();
+    scene::Scene& scene = ready.loaded.scene;
+    ready.start = scene.cameras.empty() ? ready.orbit.at(0.0) : scene.cameras.front();
+    const std::string lights =
+        scene::lightsLeftOut(scene, ready.start, 1.0F, "where the walk begins");
+    if (!lights.empty()) scene.warnings.push_back(lights);
     return ready;
   });
 }

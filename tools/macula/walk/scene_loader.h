@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common.h"
 #include "engine/scene/camera_path.h"
@@ -27,7 +28,8 @@ struct ReadyScene {
 struct ShownScene {
   std::string name;
   std::unique_ptr<scene::GpuScene> gpu;
-  std::string facts;  ///< one line: triangles, draws, lights
+  std::string facts;                  ///< one line: triangles, draws, lights
+  std::vector<std::string> warnings;  ///< what is not drawn as it is given
 };
 
 /// Uploads. To be called on the thread of the context. @throws InputError where memory is short

@@ -1,5 +1,6 @@
 #include "walk/second_view.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/ui/widgets.h"
 #include "shared/bindings.h"
 #include "shared/dispatch.h"
 
@@ -29,17 +31,6 @@ void copyShared(const passes::RenderSettings& from, passes::RenderSettings& to) 
   to.importance = importance;
 }
 
-void drawName(std::string_view name, ImVec2 at, bool toTheLeft) {
-  const ImVec2 size = ImGui::CalcTextSize(name.data(), name.data() + name.size());
-  const float pad = 0.3F * ImGui::GetFontSize();
-  const float left = toTheLeft ? at.x - size.x - 3.0F * pad : at.x + 3.0F * pad;
-  ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled({left - pad, at.y}, {left + size.x + pad, at.y + size.y + 2.0F * pad},
-                      IM_COL32(10, 12, 16, 190), pad);
-  list->AddText({left, at.y + pad}, IM_COL32(255, 255, 255, 255), name.data(),
-                name.data() + name.size());
-}
-
 }  // namespace
 
 const std::vector<std::string>& viewModeNames() {
@@ -59,6 +50,7 @@ void SecondView::setMode(ViewMode mode) {
   if (shown()) return;
   renderer_.reset();
   difference_ = {};
+  time_ = {};
 }
 
 glm::ivec2 SecondView::pictureSize(glm::ivec2 window) const {
@@ -87,6 +79,7 @@ void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, b
   for (;;) {
     try {
       draw(anew);
+      time_.add(settings_.oit.method, result_.totalMs);
       return;
     } catch (const InputError& error) {
       if (!change) throw;
@@ -101,12 +94,12 @@ void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, b
 
 void SecondView::compose(const Screen& screen, const passes::FrameRenderer& first,
                          glm::ivec2 window) {
-  const gl::Texture& a = first.resources().texture(frame::Resource::DisplayColor);
+  const gl::Texture& a = first.shownTexture();
   if (!shown() || !renderer_) {
     screen.show(a);
     return;
   }
-  const gl::Texture& b = renderer_->resources().texture(frame::Resource::DisplayColor);
+  const gl::Texture& b = renderer_->shownTexture();
   const glm::ivec2 size(a.width(), a.height());
   switch (mode_) {
     case ViewMode::Split: {
@@ -121,7 +114,9 @@ void SecondView::compose(const Screen& screen, const passes::FrameRenderer& firs
       screen.show(b, {{0, 0}, size}, {window.x - size.x, 0});
       break;
     case ViewMode::Difference:
-      drawDifference(a, b);
+      // Of the images, never of false colours.
+      drawDifference(first.resources().texture(frame::Resource::DisplayColor),
+                     renderer_->resources().texture(frame::Resource::DisplayColor));
       screen.show(difference_);
       break;
     case ViewMode::One:
@@ -144,12 +139,17 @@ void SecondView::drawDifference(const gl::Texture& first, const gl::Texture& sec
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
 }
 
+image::Legend SecondView::differenceLegend() const {
+  return {fmt::format("largest |A - B| of R, G, B, times {:g}", scale_),
+          1.0 / static_cast<double>(scale_), true, "equal"};
+}
+
 void SecondView::scaleDifference(bool up) {
   // "Up" is a legend that reaches further, so that less is amplified.
   scale_ = std::clamp(up ? 0.5F * scale_ : 2.0F * scale_, 1.0F, kMostScale);
 }
 
-void SecondView::drawOverlay(bool pointerFree, float top) {
+void SecondView::drawOverlay(const ui::MethodTime& first, bool pointerFree, float top) {
   if (mode_ != ViewMode::Split && mode_ != ViewMode::SideBySide) return;
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 size = io.DisplaySize;
@@ -174,8 +174,12 @@ void SecondView::drawOverlay(bool pointerFree, float top) {
     list->AddCircleFilled({x, 0.5F * size.y}, grip, IM_COL32(255, 255, 255, 230));
     list->AddCircle({x, 0.5F * size.y}, grip, IM_COL32(0, 0, 0, 200), 0, 1.5F);
   }
-  drawName(first_.oit.method, {x, top}, true);
-  drawName(settings_.oit.method, {x, top}, false);
+  const float gap = 0.6F * ImGui::GetFontSize();
+  const auto label = [](const ui::MethodTime& time) {
+    return fmt::format("{}  {:.1f} ms", time.method(), time.medianMs());
+  };
+  ui::pictureLabel(label(first), {x - gap, top}, 1.0F);
+  ui::pictureLabel(label(time_), {x + gap, top}, 0.0F);
 }
 
 }  // namespace macula::tools

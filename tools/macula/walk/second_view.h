@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/image/legend.h"
+#include "engine/ui/frame_rate.h"
 #include "engine/ui/settings_panel.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
@@ -43,16 +45,19 @@ class SecondView {
   /// The scene has gone.
   void forgetScene() { renderer_.reset(); }
 
-  /// Moves the line of the split view where the user drags it, and draws it with the names of both
-  /// methods. Between the frames of the UI.
+  /// Moves the line of the split view where the user drags it, and draws it with the names and the
+  /// times of both methods. Between the frames of the UI.
+  /// @param first the time of method A
   /// @param pointerFree whether no panel has the pointer
   /// @param top of the names, in the UI's coordinates
-  void drawOverlay(bool pointerFree, float top);
+  void drawOverlay(const ui::MethodTime& first, bool pointerFree, float top);
   [[nodiscard]] bool dragging() const { return dragging_; }
 
   /// A difference of 1 / scale has the hottest colour; a power of two.
   [[nodiscard]] float differenceScale() const { return scale_; }
   void scaleDifference(bool up);
+  /// What the colours of the difference mean.
+  [[nodiscard]] image::Legend differenceLegend() const;
 
   [[nodiscard]] ui::SettingsPanel& panel() { return panel_; }
   [[nodiscard]] settings::Registry& registry() { return registry_; }
@@ -60,6 +65,7 @@ class SecondView {
   /// Null before the first frame.
   [[nodiscard]] const passes::FrameRenderer* renderer() const { return renderer_.get(); }
   [[nodiscard]] const passes::FrameResult& result() const { return result_; }
+  [[nodiscard]] const ui::MethodTime& time() const { return time_; }
 
  private:
   void makeRenderer(const FrameEvents& events, const scene::GpuScene& gpu);
@@ -72,6 +78,7 @@ class SecondView {
   ui::SettingsPanel panel_;
   std::unique_ptr<passes::FrameRenderer> renderer_;
   passes::FrameResult result_;
+  ui::MethodTime time_;
   gl::Texture difference_;
   ViewMode mode_ = ViewMode::One;
   float split_ = 0.5F;  ///< share of the window's width left of the line

@@ -13,6 +13,9 @@
 #include "engine/image/image.h"
 #include "engine/recording/scene_source.h"
 #include "engine/recording/writer.h"
+#include "engine/ui/widgets.h"
+#include "walk/command_text.h"
+#include "walk/file_names.h"
 #include "walk/gaze_cursor.h"
 #include "walk/report.h"
 
@@ -21,7 +24,6 @@ namespace {
 
 constexpr float kRadiansPerHeight = 1.6F;  ///< turn for a drag over the window's height
 constexpr float kRadiansPerSecond = 1.2F;  ///< turn by the arrow keys
-constexpr float kWheelStep = 1.2F;         ///< factor of the speed for a notch of the wheel
 /// A minimised window looks for its return this often.
 constexpr double kMinimisedWaitSeconds = 0.1;
 /// Between two frames of a window that only says what it loads.
@@ -57,7 +59,6 @@ WalkSession::WalkSession(WalkOptions& options, window::Window& window, GazeSourc
   window.onDrop([this](const std::vector<std::string>& paths) {
     for (const std::string& path : paths) requests_.push_back({Action::Drop, path});
   });
-  window.onKey([this](int key, int modifiers) { readKey(key, modifiers); });
   loadScene(options.scene);
 }
 
@@ -67,7 +68,7 @@ bool WalkSession::done() const {
 
 bool WalkSession::busy() const {
   return loader_.busy() || !gaze_.opening().empty() || errors_.busy() || picture_.busy() ||
-         !requests_.empty();
+         !requests_.empty() || !window_.input().empty();
 }
 
 void WalkSession::run() {
@@ -79,12 +80,16 @@ void WalkSession::run() {
     }
     const glm::ivec2 size = window_.framebufferSize();
     if (size.x <= 0 || size.y <= 0) {
-      glfwWaitEventsTimeout(kMinimisedWaitSeconds);
+      window_.waitEvents(kMinimisedWaitSeconds);
+      rate_.restart();
       continue;
     }
     size_ = size;
-    ui_.beginFrame();
     pollJobs();
+    // Before any change is granted: the session's settings are those that the scene was loaded
+    // with.
+    if (scene_.gpu && !options_.record.empty() && events_.index == 0) beginRecording();
+    takeInput();
     if (scene_.gpu) {
       frame();
     } else {
@@ -93,10 +98,10 @@ void WalkSession::run() {
   }
   // A thread that still reads is waited for, but not in sight.
   window_.hide();
+  sumUpRecordings();
 }
 
 void WalkSession::loadingFrame() {
-  grantRequests();
   screen_.clear(kLoadingColor);
   if (loader_.busy()) panels_.drawLoading(loader_, false, requests_);
   ui_.endFrame();
@@ -114,8 +119,6 @@ void WalkSession::loadingFrame() {
 }
 
 void WalkSession::frame() {
-  // Before any change is granted: the session's settings are those that the scene was loaded with.
-  if (!options_.record.empty() && events_.index == 0) beginRecording();
   script_.due(frames_, requests_);
   grantRequests();
   const Clock::time_point begin = Clock::now();
@@ -134,6 +137,7 @@ void WalkSession::frame() {
   // A window that is closed has drawn its last frame as well.
   if (done()) finish();
   window_.swap();
+  rate_.presented(std::chrono::duration<double>(Clock::now() - begin_).count());
   events_.changed.clear();
   events_.sceneChanged = false;
   ++events_.index;
@@ -174,42 +178,22 @@ void WalkSession::noteTimes() {
   unnoted_.reset();
 }
 
-void WalkSession::lookAround(bool wanted) {
-  if (wanted == looking_) return;
-  looking_ = wanted;
-  // Hidden and free of the window's edges while it turns the camera; back in its place afterwards.
-  glfwSetInputMode(window_.handle(), GLFW_CURSOR,
-                   wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-  lastPointer_ = window_.pointer();
-}
-
 void WalkSession::steer(float seconds) {
-  const bool rightButton = window_.mouseDown(GLFW_MOUSE_BUTTON_RIGHT);
-  // A press that began on a panel belongs to the panel.
-  lookAround(rightButton && (looking_ || !ui_.wantsPointer()));
   FlyCamera::Motion motion;
-  if (looking_) {
-    const glm::vec2 pointer = window_.pointer();
-    const glm::vec2 moved = pointer - lastPointer_;
-    const float aspect = static_cast<float>(size_.x) / static_cast<float>(size_.y);
-    motion.turn = kRadiansPerHeight * glm::vec2(moved.x * aspect, -moved.y);
-    lastPointer_ = pointer;
+  const double height = window_.placement(0).clientSize.y;
+  if (height > 0.0) {
+    motion.turn = kRadiansPerHeight * glm::vec2(looked_ / height) * glm::vec2(1.0F, -1.0F);
   }
-  if (!ui_.wantsPointer()) {
-    const float wheel = ImGui::GetIO().MouseWheel;
-    if (wheel != 0.0F) camera_.scaleSpeed(std::pow(kWheelStep, wheel));
-  }
-  if (!ui_.wantsKeyboard() && !ImGui::GetIO().KeyCtrl) {
-    const auto axis = [&](int positive, int negative) {
-      return static_cast<float>(window_.keyDown(positive)) -
-             static_cast<float>(window_.keyDown(negative));
-    };
-    motion.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
-                   axis(GLFW_KEY_W, GLFW_KEY_S)};
-    motion.turn += kRadiansPerSecond * seconds *
-                   glm::vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
-    motion.fast = window_.keyDown(GLFW_KEY_LEFT_SHIFT) || window_.keyDown(GLFW_KEY_RIGHT_SHIFT);
-  }
+  looked_ = {0.0, 0.0};
+  const auto axis = [&](int positive, int negative) {
+    return static_cast<float>(keys_.held(positive)) - static_cast<float>(keys_.held(negative));
+  };
+  motion.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
+                 axis(GLFW_KEY_W, GLFW_KEY_S)};
+  motion.turn += kRadiansPerSecond * std::min(seconds, FlyCamera::kLongestStep) *
+                 glm::vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
+  motion.fast = keys_.held(GLFW_KEY_LEFT_SHIFT) || keys_.held(GLFW_KEY_RIGHT_SHIFT);
+  keys_.nextFrame();
   camera_.advance(motion, seconds);
 }
 
@@ -240,15 +224,40 @@ void WalkSession::drawOverlays() {
       drawGazeCursor(events_.gaze, {window.x - picture.x, 0.0F}, picture);
     }
   }
-  constexpr float kNamesEms = 5.0F;  // above the bar of keys, where no panel reaches
-  if (!mapShown) {
-    second_->drawOverlay(!ui_.wantsPointer(), window.y - kNamesEms * ImGui::GetFontSize());
+  // Above what stands along the lower edge, where no panel reaches; a message stands higher.
+  constexpr float kNamesEms = 5.0F;
+  constexpr float kNameEms = 2.0F;
+  const float em = ImGui::GetFontSize();
+  const float top = window.y - std::max(kNamesEms * em, panels_.footHeight() + kNameEms * em);
+  if (mapShown) {
+    ui::pictureLabel(fmt::format("{} map of {}; not the live picture",
+                                 errors_.map() == ErrorCheck::Map::Flip ? "FLIP" : "difference",
+                                 errors_.title(scene_.name)),
+                     {0.5F * window.x, top}, 0.5F);
+  } else {
+    second_->drawOverlay(panels_.time(), !ui_.wantsPointer(), top);
   }
-  const PanelInput input{events_, *renderer_, result_,  options_.settings, scene_,
-                         camera_, gaze_,      *second_, errors_,           *control_};
+  recordings_.clear();
+  if (recorder_) {
+    recordings_.push_back(
+        fmt::format("recording into {}: {}", options_.record, recorder_->facts()));
+  }
+  if (camera_.recording()) {
+    recordings_.push_back(fmt::format("recording the camera's path: {:.1f} s, {}; L ends it",
+                                      camera_.recordedSeconds(),
+                                      ui::numberOf(camera_.recordedKeys(), "key")));
+  }
+  const bool labelled = mapShown || second_->shown();
+  const PanelInput input{events_,     *renderer_,
+                         result_,     options_.settings,
+                         scene_,      camera_,
+                         gaze_,       *second_,
+                         errors_,     *control_,
+                         rate_,       panels_.time(),
+                         recordings_, labelled ? top : window.y};
   panels_.draw(input, requests_);
   if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
-  if (panels_.drawMessage(message_ ? &*message_ : nullptr)) message_.reset();
+  if (panels_.drawMessage(message_ ? &*message_ : nullptr, top - em)) message_.reset();
 }
 
 void WalkSession::finish() {
@@ -262,6 +271,7 @@ void WalkSession::finish() {
       .second = *second_,
       .errors = errors_,
       .gazeSource = gaze_.spec(),
+      .gazeWarnings = gaze_.recording() ? gaze_.recording()->warnings : std::vector<std::string>{},
       .tab = panels_.shown() ? panels_.tab() : std::string(),
       .searchHits = panels_.settings().hits(),
       .message = lastMessage_,
@@ -270,6 +280,7 @@ void WalkSession::finish() {
       .loadingFrames = loadingFrames_,
       .playing = camera_.playing(),
       .control = *control_,
+      .framesPerSecond = rate_.perSecond(),
   };
   writeJson(options_.json, describeWalk(report, probes_));
 }
@@ -302,9 +313,36 @@ void WalkSession::record() {
   } catch (const InputError& error) {
     // A full disk or a vanished file ends the recording, not the walk.
     say(fmt::format("the recording has ended: {}", error.what()), true);
-    gaze_.onSample({});
-    recorder_.reset();
+    endRecording(error.what());
   }
+}
+
+void WalkSession::endRecording(const std::string& reason) {
+  if (!recorder_) return;
+  gaze_.onSample({});
+  const std::string folder = std::filesystem::path(options_.record).lexically_normal().string();
+  summary_ = fmt::format("recorded: {}: {}\n", folder, recorder_->facts());
+  if (!reason.empty()) summary_ += fmt::format("ended early: {}\n", oneLine(reason));
+  if (recorder_->frames() > 0) {
+    std::filesystem::path out =
+        folder.ends_with('/') ? folder.substr(0, folder.size() - 1) : folder;
+    out += "_replay";
+    summary_ += fmt::format("replay: macula replay {} --out {}\n", asArgument(folder),
+                            asArgument(out.string()));
+  }
+  recorder_.reset();
+}
+
+void WalkSession::sumUpRecordings() {
+  endRecording({});
+  // Standard output may be the report's.
+  std::FILE* out = options_.json == "-" ? stderr : stdout;
+  fmt::print(out, "{}", summary_);
+  if (!camera_.recording() || camera_.recordedKeys() == 0) return;
+  const std::filesystem::path file = nextFreeName("camera", "csv");
+  camera_.finishRecording(file);
+  fmt::print(out, "camera path: {}: {:.1f} s, {}\n", file.string(), camera_.recordedSeconds(),
+             ui::numberOf(camera_.recordedKeys(), "key"));
 }
 
 void walk(WalkOptions& options) {

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/ui/frame_rate.h"
 #include "engine/ui/ui_context.h"
+#include "engine/window/held_keys.h"
 #include "engine/window/window.h"
 #include "frame_control.h"
 #include "passes/frame_renderer.h"
@@ -20,6 +22,7 @@
 #include "walk/error_check.h"
 #include "walk/frame_events.h"
 #include "walk/gaze_control.h"
+#include "walk/legend_overlay.h"
 #include "walk/options.h"
 #include "walk/panels.h"
 #include "walk/recorder.h"
@@ -56,11 +59,12 @@ class WalkSession {
   void measureTimes(Clock::time_point begin);
   void noteTimes();
   void steer(float seconds);
-  void lookAround(bool wanted);
   void followPointer();
   void placeGaze();
   void beginRecording();
   void record();
+  void endRecording(const std::string& reason);
+  void sumUpRecordings();
   void drawOverlays();
   void finish();
   [[nodiscard]] bool busy() const;
@@ -75,11 +79,19 @@ class WalkSession {
   void writeLinearPicture(const std::string& file);
   void measureErrors(const std::string& against);
 
+  // session_input.cpp: keys, text and the pointer, event by event
+  void takeInput();
+  void readEvent(const window::InputEvent& event);
+  void readPress(int key, int modifiers);
+  void lookAround(bool wanted);
+  void settleFocus();
+  [[nodiscard]] bool pictureComesFirst() const;
+
   // session_requests.cpp: what the user asks for
-  void readKey(int key, int modifiers);
   void grantRequests();
   void grant(const Request& request);
   void noteChange();
+  void askForScene(const std::string& name);
   void drop(const std::string& path);
   void close();
   void togglePath(const std::string& path);
@@ -102,6 +114,7 @@ class WalkSession {
   Script script_;
   ui::UiContext ui_;
   Screen screen_;
+  LegendOverlay legends_;
   SceneLoader loader_;
   GazeControl gaze_;
   CameraControl camera_;
@@ -116,6 +129,9 @@ class WalkSession {
   ShownScene sceneBefore_;  ///< until the new one was drawn once
   std::optional<CameraControl> cameraBefore_;
   std::optional<WalkRecorder> recorder_;
+  std::vector<std::string> recordings_;  ///< what is being recorded, in words
+  std::string summary_;                  ///< of the recording, for the terminal; empty: none
+  ui::FrameRate rate_;
   passes::FrameResult result_;
   std::optional<CpuTimes> unnoted_;  ///< of the last frame, until it is known how long it lasted
   FrameEvents events_;
@@ -131,12 +147,16 @@ class WalkSession {
   std::string pendingErrors_;         ///< "exact" or "second" where this frame is to be measured
   glm::ivec2 size_{0};
   glm::ivec2 pictureSize_{0};
-  glm::vec2 lastPointer_{0.0F};  ///< while looking around, 0..1 of the window
+  window::HeldKeys keys_;
+  int focusFrames_ = 0;  ///< of the UI, until a field that was asked for has the keyboard
+  std::optional<glm::dvec2> pointer_;  ///< place of the last event, screen coordinates
+  glm::dvec2 looked_{0.0};  ///< way of the pointer while looking around, since the last frame
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_ = begin_;
-  int frames_ = 0;         ///< without those that waited for a thread
-  int loadingFrames_ = 0;  ///< drawn while a scene was loading
-  bool firstGaze_ = true;  ///< the source of the options has not been opened yet
+  int frames_ = 0;          ///< without those that waited for a thread
+  int loadingFrames_ = 0;   ///< drawn while a scene was loading
+  std::string guessedLog_;  ///< a file that was opened as a gaze log because it is nothing else
+  bool firstGaze_ = true;   ///< the source of the options has not been opened yet
   bool looking_ = false;
   bool pointerSeen_ = false;
 };

@@ -92,6 +92,7 @@ void WalkSession::compose() {
     screen_.show(*map);
   } else {
     second_->compose(screen_, *renderer_, size_);
+    legends_.show(screen_, *renderer_, *second_, size_);
   }
 }
 
@@ -122,13 +123,11 @@ void WalkSession::measureErrors(const std::string& against) {
   PicturePair pair;
   pair.testName = a.oit.method;
   pair.referenceName = reference.oit.method;
-  if (a.heatmap.map == "none") {
-    // What is seen is what is measured.
-    pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
-    renderer_->readDisplay(pair.test.pixels);
-  } else {
-    pair.test = drawStill(a, *machine_, *scene_.gpu, events_, renderer_->inputs().levers);
-  }
+  pair.scene = events_.scene;
+  pair.frame = events_.index;
+  // What is seen is what is measured, but for a heat map over it.
+  pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
+  renderer_->readDisplay(pair.test.pixels);
   pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_, {});
   errors_.start(std::move(pair));
 }

@@ -14,11 +14,24 @@ void WalkSession::pollJobs() {
   try {
     gaze_.poll();
     if (gaze_.opening().empty()) firstGaze_ = false;
+    for (const std::string& warning : gaze_.takeWarnings()) {
+      const std::string text = fmt::format("{}: {}", oneLine(gaze_.spec()), warning);
+      fmt::print(stderr, "warning: {}\n", text);
+      say(text);
+    }
+    if (gaze_.spec() == guessedLog_) guessedLog_.clear();
   } catch (const InputError& error) {
     if (firstGaze_) throw;
-    say(error.what(), true);
+    const std::string reason = error.what();
+    const bool guessed = !guessedLog_.empty() && reason.starts_with(guessedLog_);
+    guessedLog_.clear();
+    say(guessed ? reason + " (it is no scene and no camera path, so it was read as a gaze log)"
+                : reason,
+        true);
   }
-  if (errors_.poll()) say("measured; the errors stand on the compare tab");
+  if (errors_.poll()) {
+    say(fmt::format("measured: {}; the errors are on the compare tab", errors_.title(scene_.name)));
+  }
   if (picture_.ready()) {
     try {
       say(picture_.take());
@@ -55,6 +68,11 @@ void WalkSession::adopt(const ReadyScene& ready) {
   sceneChange_.reset();
   errors_.show(ErrorCheck::Map::None);
   window_.setTitle(fmt::format("Macula: {}", oneLine(scene_.name)));
+  if (const auto& warnings = scene_.warnings; !warnings.empty()) {
+    const auto more = warnings.size() - 1;
+    say(more == 0 ? warnings.front()
+                  : fmt::format("{} ({} more on the scene tab)", warnings.front(), more));
+  }
   if (!first) return;
   if (!options_.camera.empty() && options_.camera != "scene") camera_.play(options_.camera);
   // The time of loading is no time of the walk.

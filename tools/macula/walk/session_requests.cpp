@@ -1,6 +1,4 @@
 // WalkSession: what the user asks for.
-#define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,9 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
+#include "engine/core/plural.h"
 #include "engine/scene/load.h"
-#include "walk/actions.h"
+#include "engine/ui/widgets.h"
 #include "walk/command_text.h"
 #include "walk/file_names.h"
 #include "walk/session.h"
@@ -28,32 +27,19 @@ std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
   if (wanted.empty()) return (present + 1) % names.size();
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (found == names.end()) {
-    failInput("'{}' is none of the choices; the nearest is '{}'", wanted,
+    failInput("'{}' is not one of the choices; the nearest is '{}'", wanted,
               nearestName(wanted, names));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
 
-bool isProcedural(const std::string& name) {
-  const std::vector<scene::RecipeInfo> recipes = scene::recipes();
-  return name.starts_with("layers-") || name.starts_with("medley-") ||
-         std::any_of(recipes.begin(), recipes.end(),
-                     [&](const scene::RecipeInfo& recipe) { return recipe.name == name; });
-}
+/// Dear ImGui gives a field the keyboard two frames after it is asked to; one more, to be sure.
+constexpr int kFocusFrames = 3;
+
+/// What a name or a dropped file may be.
+constexpr std::string_view kOpened = "open a scene (.glb, .gltf), a gaze log or a camera path";
 
 }  // namespace
-
-void WalkSession::readKey(int key, int modifiers) {
-  // While a field is edited, keys are text.
-  if (ui_.wantsKeyboard() && key != GLFW_KEY_ESCAPE) return;
-  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
-    if (key == GLFW_KEY_Q) requests_.push_back({Action::Quit});
-    return;
-  }
-  for (const ActionRow& row : actionRows()) {
-    if (row.key == key) requests_.push_back({row.action, std::string(row.argument)});
-  }
-}
 
 void WalkSession::say(std::string text, bool error) {
   lastMessage_ = text;
@@ -88,6 +74,7 @@ void WalkSession::noteChange() {
   std::optional<ui::SettingChange> change = panels_.settings().takeChange();
   if (!change) return;
   events_.changed.push_back(change->entry);
+  if (change->rival != nullptr) say(change->rivalNote());
   if (change->entry->group() == "control") return;  // the controller looks for itself
   if (change->entry->group() == "gaze" || change->entry->group() == "display") {
     gaze_.reopen();  // no image depends on it but through the point of interest
@@ -114,6 +101,7 @@ void WalkSession::grant(const Request& request) {
     case Action::ToggleNumbers:
       return panels_.toggleNumbers();
     case Action::Search:
+      focusFrames_ = kFocusFrames;
       return panels_.search(argument);
     case Action::Close:
       return close();
@@ -128,7 +116,7 @@ void WalkSession::grant(const Request& request) {
     case Action::SetSecond:
       return second_->panel().assign(argument);
     case Action::LoadScene:
-      return loadScene(argument);
+      return askForScene(argument);
     case Action::Drop:
       return drop(argument);
     case Action::ResetCamera:
@@ -138,6 +126,8 @@ void WalkSession::grant(const Request& request) {
     case Action::PlayPath:
       return togglePath(argument);
     case Action::GazeSource:
+      if (!argument.empty() && argument == gaze_.opening())
+        return say("already opening " + argument);
       return gaze_.choose(argument);
     case Action::NextGaze:
       gaze_.chooseNext();
@@ -171,28 +161,41 @@ void WalkSession::grant(const Request& request) {
     case Action::CopyCommand:
       window_.setClipboard(commandLine());
       return say("copied: " + commandLine());
+    case Action::Refuse:
+      failInput("{}", argument);
   }
 }
 
+void WalkSession::askForScene(const std::string& name) {
+  if (loader_.busy() && loader_.name() == name) return say("already loading " + name);
+  loadScene(name);
+}
+
 void WalkSession::drop(const std::string& path) {
+  if (path.empty()) failInput("no file is named; {}", kOpened);
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     panels_.showTab("scene");
-    return panels_.listFolder(path);
+    panels_.listFolder(path);
+    return say(fmt::format("{} is a folder with {}{}", path,
+                           ui::numberOf(panels_.listed(), "scene file"),
+                           panels_.listed() > 0 ? "; choose one on the scene tab" : ""));
   }
-  if (isProcedural(path)) return loadScene(path);
+  if (scene::isProcedural(path)) return askForScene(path);
   if (!std::filesystem::exists(path, error)) {
-    failInput("{}: no such file; drop a scene (.glb, .gltf), a gaze log or a camera path", path);
+    failInput("{}: no such file; {}", path, kOpened);
   }
-  if (isSceneFile(path)) {
+  if (scene::isSceneFile(path)) {
     panels_.listFolder(std::filesystem::path(path).parent_path());
-    return loadScene(path);
+    return askForScene(path);
   }
   if (isCameraPathFile(path)) {
     camera_.play(path);
     return say("camera path: " + path);
   }
+  if (path == gaze_.opening()) return say("already opening " + path);
   gaze_.choose(path);
+  guessedLog_ = path;
 }
 
 void WalkSession::close() {
@@ -222,7 +225,8 @@ void WalkSession::toggleRecording() {
   }
   const std::filesystem::path file = nextFreeName("camera", "csv");
   camera_.finishRecording(file);
-  say(fmt::format("{} keys written: {}; P plays them", camera_.recordedKeys(), file.string()));
+  say(fmt::format("{} written: {}; P plays the path", ui::numberOf(camera_.recordedKeys(), "key"),
+                  file.string()));
 }
 
 void WalkSession::nextMap(const std::string& name) {
@@ -232,7 +236,7 @@ void WalkSession::nextMap(const std::string& name) {
 }
 
 void WalkSession::askForErrors(const std::string& against) {
-  if (errors_.busy()) return;
+  if (errors_.busy()) return say("errors are being measured already");
   if (against == "second" && !second_->shown()) {
     failInput("there is no second method to measure against; press B");
   }
