@@ -143,14 +143,54 @@ function addDots(u, svg, dots, classOf) {
   }
 }
 
-// uPlot's axes without its series. x, y: {label, range, ticks, log}; x is logarithmic.
+// A logarithmic axis. Zero has no place on it: zeros stand in a lane of their own below a break.
+// `zero` is where, null without zeros; `edge` is where the break is.
+function logAxis(values, label) {
+  const positive = values.filter(v => v > 0);
+  const range = logRange(positive.length > 0 ? positive : [1]);
+  const ticks = positive.length > 0 ? logTicks(...range) : [];
+  if (positive.length === values.length) return {label, range, ticks, log: true, zero: null};
+  const below = share => range[0] * (range[0] / range[1]) ** share;  // by a share of the axis
+  const zero = below(0.1);
+  return {label, range: [below(0.16), range[1]], ticks: [zero, ...ticks], log: true, zero, edge: below(0.03),
+    tickText: v => v === zero ? '0' : shown(v)};
+}
+
+// The lanes of zeros: washed, and cut off from the axis by a zigzag.
+function drawLanes(u, svg, x, y) {
+  const width = u.over.clientWidth;
+  const height = u.over.clientHeight;
+  const lane = (box, points) => svg.append(svgElement('rect', {class: 'zero-lane', ...box}),
+    svgElement('polyline', {class: 'break', points: points.join(' ')}));
+  const zigzag = length => Array.from({length: Math.floor(length / 4) + 1}, (_, i) => [4 * i, i % 2 ? 2 : -2]);
+  if (y.zero !== null) {
+    const top = u.valToPos(y.edge, 'y');
+    lane({x: 0, y: top, width, height: height - top}, zigzag(width).map(([along, off]) => `${along},${top + off}`));
+  }
+  if (x.zero !== null) {
+    const right = u.valToPos(x.edge, 'x');
+    lane({x: 0, y: 0, width: right, height}, zigzag(height).map(([along, off]) => `${right + off},${along}`));
+  }
+}
+
+// A bar of colours with what its ends stand for. gradient: of CSS
+function colourBar(gradient, low, high) {
+  return element('div', {class: 'colour-bar'}, element('span', {}, low),
+    element('i', {style: `background:${gradient}`}), element('span', {}, high));
+}
+
+// Eight of magma's colours, as engine/measure/error_maps.cpp has them.
+const flipBar = () => colourBar('linear-gradient(to right,#000004,#1a1042,#4a1079,#792282,#aa337d,#d9466b,#f7725c,#feaa74,#fcfdbf)',
+  'FLIP 0: nothing is seen', '1: the largest difference');
+
+// uPlot's axes without its series. x, y: {label, range, ticks, log, tickText}; x is logarithmic.
 function chartFrame(host, points, x, y, overlay, height = 400) {
-  const axis = ({label, ticks}, size) => ({
+  const axis = ({label, ticks, tickText = shown}, size) => ({
     label, size, labelSize: 22, font: '12px system-ui, sans-serif', labelFont: '13px system-ui, sans-serif',
     stroke: cssColour('--soft'), grid: {stroke: cssColour('--line'), width: 1},
     ticks: {stroke: cssColour('--line'), width: 1},
     splits: () => ticks,
-    values: (u, splits) => splits.map(v => shown(v)),
+    values: (u, splits) => splits.map(v => tickText(v)),
     filter: (u, splits) => splits,
   });
   const sorted = [...points].sort((a, b) => a.x - b.x);
@@ -164,25 +204,26 @@ function chartFrame(host, points, x, y, overlay, height = 400) {
   }, [sorted.map(p => p.x), sorted.map(p => p.y)], host);
 }
 
-// A scatter chart in `host`. points: {x, y, zero, label, colour, text, open()}; both axes log.
+// A scatter chart in `host`. points: {x, y, label, colour, text, open()}; both axes log, with lanes for zeros.
 function scatter(host, points, xLabel, yLabel) {
   host.replaceChildren();
   if (points.length === 0) {
     host.append(element('p', {class: 'empty'}, 'Nothing to show here.'));
     return;
   }
+  const x = logAxis(points.map(p => p.x), xLabel);
+  const y = logAxis(points.map(p => p.y), yLabel);
+  points = points.map(p => ({...p, zero: p.x === 0 || p.y === 0, x: p.x || x.zero, y: p.y || y.zero}));
   const front = paretoFront(points);
-  const xs = logRange(points.map(p => p.x));
-  const ys = logRange(points.map(p => p.y));
   const overlay = u => {
     const svg = svgElement('svg', {});
+    drawLanes(u, svg, x, y);
     const dots = points.map(p => placed(u, p));
     if (front.length > 1) svg.append(lineThrough(front.map(p => placed(u, p)), {class: 'front'}));
     labelDots(u, svg, dots, BESIDE);
     addDots(u, svg, dots, dot => `${dot.zero ? ' exact' : ''}${front.some(p => p.key === dot.key) ? ' best' : ''}`);
   };
-  chartFrame(host, points, {label: xLabel, range: xs, ticks: logTicks(...xs)},
-    {label: yLabel, range: ys, ticks: logTicks(...ys), log: true}, overlay);
+  chartFrame(host, points, x, y, overlay);
 }
 
 // The points of a curve that none of its others beats: faster and at least as good. As the targets
@@ -234,7 +275,8 @@ function curves(host, series, xLabel, yLabel) {
     addDots(u, svg, dots, dot => dot.exact ? ' exact' : best.flat().some(p => p.key === dot.key) ? '' : ' beaten');
   };
   chartFrame(host, points, {label: xLabel, range: xs, ticks: logTicks(...xs)},
-    {label: yLabel, range: ys, ticks: roundTicks(low - margin, high + margin / 2, 7)}, overlay, 460);
+    {label: yLabel, range: ys, tickText: v => v === top ? '∞' : shown(v),
+     ticks: [...roundTicks(low - margin, high + margin / 2, 7), ...(points.some(p => p.exact) ? [top] : [])]}, overlay, 460);
 }
 
 // Rows of stacked bars. rows: {name, parts: [{value, colour, title}], figure, open()}; `whole` is

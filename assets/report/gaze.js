@@ -19,7 +19,7 @@ function lines(host, points, statistic) {
   new uPlot({
     width: Math.max(300, host.clientWidth), height: 300,
     scales: {x: {time: false}, y: {range: (u, low, high) => [0, Math.max(high, 0.1) * 1.08]}},
-    axes: [axis('latency in ms', 42), axis('degrees', 62)],
+    axes: [axis('latency, ms', 42), axis('error, degrees', 62)],
     series: [{label: 'ms'}, ...ways.map((way, i) => ({
       label: way, stroke: COLOURS[i], width: 2, dash: i % 2 ? [6, 4] : undefined,
       points: {show: true, size: 6}, value: (u, v) => v === null ? '–' : shown(v) + '°',

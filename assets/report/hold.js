@@ -61,8 +61,9 @@ function drawBands(plot) {
   const context = plot.ctx;
   context.save();
   for (const [share, alpha] of [[data.gate.tolerance, '1f'], [0.05, '2e']]) {
-    const top = plot.valToPos(target * (1 + share), 'y', true);
-    const bottom = plot.valToPos(target * (1 - share), 'y', true);
+    const inside = y => Math.min(Math.max(y, plot.bbox.top), plot.bbox.top + plot.bbox.height);
+    const top = inside(plot.valToPos(target * (1 + share), 'y', true));
+    const bottom = inside(plot.valToPos(target * (1 - share), 'y', true));
     context.fillStyle = IDEAL + alpha;
     context.fillRect(plot.bbox.left, top, plot.bbox.width, bottom - top);
   }
@@ -90,7 +91,7 @@ function chart(title, label, height, range, lines, keys, drawBehind = []) {
     width: width(), height, cursor: {sync: {key: 'frames'}},
     legend: {live: true},
     scales: {x: {time: false}, y: {range: () => range}},
-    axes: [axis('frame', 34), axis(label, 56)],
+    axes: [axis('frame number', 34), axis(label, 56)],
     hooks: {drawClear: drawBehind, draw: [self => drawSteps(self, named)]},
     series: [{label: 'frame'}, ...lines.map(line => ({
       label: line.name, stroke: line.colour, width: line.width ?? 1.5, dash: line.dash, points: {show: false},
@@ -110,7 +111,7 @@ function drawCharts() {
   const most = Math.max(sorted[Math.floor(0.99 * (sorted.length - 1))], 1.25 * target) * 1.1;
   const beyond = sorted.filter(ms => ms > most).length;
   chart('Time of a frame' + (beyond ? ` (${beyond} beyond the scale, up to ${shown(sorted[sorted.length - 1])} ms)` : ''),
-    'ms', 340, [0, most], [
+    'time of a frame, ms', 340, [0, most], [
       {name: `fixed r = ${shown(data.fixed.r)}`, values: trace.fixed_ms, colour: FIXED, width: 1, unit: ' ms'},
       {name: data.law, values: trace.ms, colour: HELD, unit: ' ms'},
       {name: 'target', values: frames.map(() => target), colour: cssColour('--ink'), width: 1, unit: ' ms'},
@@ -118,7 +119,7 @@ function drawCharts() {
       key(`target ${shown(target)} ms`, cssColour('--ink')), key('±5 %', IDEAL + '66', 'area'),
       key(`±${percent(data.gate.tolerance)}: the tolerance`, IDEAL + '2e', 'area')], [drawBands]);
   const ideal = frames.map(idealOf);
-  chart('Resize factor', 'r', 230, [1, 1.06 * Math.max(1.1, data.fixed.r, ...trace.r, ...ideal)], [
+  chart('Resize factor', 'r, factor per axis', 230, [1, 1.06 * Math.max(1.1, data.fixed.r, ...trace.r, ...ideal)], [
     {name: 'ideal', values: ideal, colour: IDEAL, width: 1.2, dash: [6, 4], stepped: true},
     {name: 'fixed', values: frames.map(() => data.fixed.r), colour: FIXED, width: 1},
     {name: data.law, values: trace.r, colour: HELD, stepped: true},

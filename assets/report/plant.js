@@ -57,13 +57,13 @@ function drawTraces(plantCase) {
       new uPlot({
         width: Math.max(300, figure.clientWidth - 24), height: 150, legend: {show: false},
         scales: {x: {time: false}, y: {range: () => range}},
-        axes: [axis('frame', 34), axis(label, 52)],
+        axes: [axis('frame number', 34), axis(label, 52)],
         series: [{}, {stroke: COLOURS[i % COLOURS.length], width: 1.2, points: {show: false}}, ...extra.map(() => (
           {stroke: cssColour('--soft'), width: 1, dash: [4, 4], points: {show: false}}))],
       }, [frames, values, ...extra], figure);
     };
-    chart(figures[0], 'ms', all[i].ms, [0, mostMs], [frames.map(() => data.target_ms)]);
-    chart(figures[1], 'r', all[i].r, [1, Math.max(...all.flatMap(t => t.r)) * 1.05], []);
+    chart(figures[0], 'frame time, ms', all[i].ms, [0, mostMs], [frames.map(() => data.target_ms)]);
+    chart(figures[1], 'r, factor per axis', all[i].r, [1, Math.max(...all.flatMap(t => t.r)) * 1.05], []);
   }
 }
 

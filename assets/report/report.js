@@ -7,13 +7,14 @@ const sceneName = scene => scene.split('/').pop().replace(/\.(glb|gltf)$/, '');
 const at = (point, ...keys) => keys.reduce((node, key) => node === null || node === undefined ? null : node[key], point) ?? null;
 
 const METRICS = [
-  {id: 'rmse', name: 'RMSE', of: p => at(p, 'error', 'rmse')},
-  {id: 'flip', name: 'FLIP', of: p => at(p, 'error', 'flip')},
-  {id: 'flip_gaze', name: 'FLIP around the gaze', of: p => at(p, 'error', 'flip_gaze')},
-  {id: 'max', name: 'largest difference', of: p => at(p, 'error', 'max')},
-  {id: 'flicker', name: 'flicker along the path', of: p => at(p, 'path', 'flicker')},
-  {id: 'path_rmse', name: 'RMSE along the path', of: p => at(p, 'path', 'rmse')},
+  {id: 'rmse', name: 'RMSE', unit: 'display values, 0 to 1', of: p => at(p, 'error', 'rmse')},
+  {id: 'flip', name: 'FLIP', unit: '0 to 1', of: p => at(p, 'error', 'flip')},
+  {id: 'flip_gaze', name: 'FLIP around the gaze', unit: '0 to 1', of: p => at(p, 'error', 'flip_gaze')},
+  {id: 'max', name: 'largest difference', unit: 'display values, 0 to 1', of: p => at(p, 'error', 'max')},
+  {id: 'flicker', name: 'flicker along the path', unit: 'display values a frame, 0 to 2', of: p => at(p, 'path', 'flicker')},
+  {id: 'path_rmse', name: 'RMSE along the path', unit: 'display values, 0 to 1', of: p => at(p, 'path', 'rmse')},
 ].filter(metric => data.points.some(p => metric.of(p) !== null) || metric.id === 'rmse');
+const BYTES = 'storage + overhead';  // bytes.transparency; an oracle has storage alone
 const TIMES = [
   {id: 'transparency', name: 'transparency, ms', of: p => at(p, 'ms', 'transparency', 'median')},
   {id: 'shading', name: 'shading, ms', of: p => at(p, 'ms', 'shading', 'median')},
@@ -120,7 +121,7 @@ function numbersOf(point) {
   if (at(point, 'shading', 'shaded_share') !== null) {
     lines.push(`pixels shaded ${percent(point.shading.shaded_share)}, holes ${percent(point.shading.holes_share)}`);
   }
-  add('bytes', mebi(at(point, 'bytes', 'transparency')), ' MiB');
+  add(point.status === 'oracle' ? 'storage' : BYTES, mebi(at(point, 'bytes', 'transparency')), ' MiB');
   add('RMSE', at(point, 'error', 'rmse'));
   add('PSNR', at(point, 'error', 'psnr_db'), ' dB');
   add('FLIP', at(point, 'error', 'flip'));
@@ -133,19 +134,10 @@ function numbersOf(point) {
   return lines;
 }
 
-// Zero has no place on a logarithmic axis: exact images stand below all others, and what needs no
-// memory left of them, hollow.
 function chartPoints(points, x) {
   const y = view.metric.of;
-  const floorOf = (of, step, otherwise) => {
-    const positive = points.map(of).filter(v => v !== null && v > 0);
-    return positive.length > 0 ? Math.min(...positive) / step : otherwise;
-  };
-  const floorX = floorOf(x, 1.5, 1);
-  const floorY = floorOf(y, 4, 1e-4);
   return points.filter(p => x(p) !== null && y(p) !== null).map(p => ({
-    key: p.key, x: x(p) || floorX, y: y(p) || floorY, zero: x(p) === 0 || y(p) === 0,
-    label: titleOf(p) + (y(p) === 0 ? ' (exact)' : '') + (x(p) === 0 ? ' (0)' : ''), colour: colourOf(p.variant),
+    key: p.key, x: x(p), y: y(p), label: titleOf(p), colour: colourOf(p.variant),
     text: numbersOf(p).join('\n'), open: () => openViewer(p),
   }));
 }
@@ -166,7 +158,7 @@ function drawSpeed(points) {
     key: p.key, x: p.speedup, y: at(p, 'error', 'psnr_db'), ink: colourOf(v.id),
     label: at(p, 'sweep') === null ? titleOf(p) : String(p.sweep), text: numbersOf(p).join('\n'), open: () => openViewer(p),
   }))})).filter(s => s.points.length > 0);
-  curves(document.getElementById('by-speed'), series, 'speed-up of whole frames', 'PSNR, dB');
+  curves(document.getElementById('by-speed'), series, 'speed-up of whole frames, factor', 'PSNR, dB');
 }
 
 // A figure in which all points are alike says nothing.
@@ -184,11 +176,13 @@ function drawCharts() {
   const place = id => document.getElementById(id);
   drawSpeed(points);
   place('by-time').previousElementSibling.textContent = `${view.metric.name} against time (${view.time.name})`;
-  place('by-bytes').previousElementSibling.textContent = `${view.metric.name} against the bytes of transparency`;
+  place('by-bytes').previousElementSibling.textContent = `${view.metric.name} against ${BYTES} of transparency`
+    + (points.some(p => p.status === 'oracle') ? ' (oracles: storage alone)' : '');
+  const yLabel = `${view.metric.name} (${view.metric.unit})`;
   const bytes = p => mebi(at(p, 'bytes', 'transparency'));
   const bytesVary = showWhereItVaries('by-bytes', points.filter(p => bytes(p) !== null), bytes);  // before widths are taken
-  scatter(place('by-time'), chartPoints(points, view.time.of), view.time.name, view.metric.name);
-  if (bytesVary) scatter(place('by-bytes'), chartPoints(points, bytes), 'MiB', view.metric.name);
+  scatter(place('by-time'), chartPoints(points, view.time.of), view.time.name, yLabel);
+  if (bytesVary) scatter(place('by-bytes'), chartPoints(points, bytes), `${BYTES}, MiB`, yLabel);
   const counted = points.filter(p => at(p, 'fragments', 'generated') > 0);
   const fates = p => [p.fragments.stored, p.fragments.merged, p.fragments.lost].join();
   if (showWhereItVaries('loss', counted.length > 0 ? counted : [{}, {}], p => p.fragments ? fates(p) : 0)) drawLoss(counted);
@@ -239,9 +233,10 @@ function fillMaps(points) {
   figure.hidden = points.length === 0;
   const tile = (file, text, open) => element('button', {type: 'button', on: {click: open}},
     element('img', {src: data.pictures[file], alt: text, loading: 'lazy'}), element('span', {}, text));
+  figure.querySelector('.scale').replaceChildren(flipBar());
   figure.querySelector('.maps').replaceChildren(
     ...points.slice(0, 1).map(p => tile(p.images.reference, 'exact', () => openViewer(p))),
-    ...points.map(p => tile(p.images.flip, `${titleOf(p)}: FLIP ${shown(at(p, 'error', 'flip'))}, RMSE ${shown(at(p, 'error', 'rmse'))}`,
+    ...points.map(p => tile(p.images.flip, `${titleOf(p)}: FLIP ${shown(at(p, 'error', 'flip'))}, RMSE ${shown(at(p, 'error', 'rmse'))}${at(p, 'difference_white') === 0 ? ' (no difference)' : ''}`,
       () => openViewer(p))));
 }
 
@@ -259,7 +254,7 @@ const COLUMNS = [
   ['Flicker', p => at(p, 'path', 'flicker'), true], ['RMSE path', p => at(p, 'path', 'rmse'), true],
   ['Shaded', p => at(p, 'shading', 'shaded_share'), true, true, percent],
   ['Holes', p => at(p, 'shading', 'holes_share'), true, true, percent],
-  ['MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
+  ['Storage + overhead MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
   ['Fragments', p => at(p, 'fragments', 'generated'), true], ['Stored', p => at(p, 'fragments', 'stored'), true],
   ['Merged', p => at(p, 'fragments', 'merged'), true], ['Lost', p => at(p, 'fragments', 'loss'), true, true, percent],
   ['k mean', p => at(p, 'k', 'mean'), true], ['k max', p => at(p, 'k', 'max'), true],
@@ -273,8 +268,9 @@ function fillTable() {
       sorting.down = sorting.column === i && !sorting.down;
       sorting.column = i;
       fillTable();
+      document.querySelectorAll('#table th button')[i].focus();  // the one that was pressed is gone
     }},
-  }, name));
+  }, element('button', {type: 'button'}, name)));
   document.querySelector('#table thead').replaceChildren(element('tr', {}, ...head));
   const rows = [...data.points];
   if (sorting.column >= 0) {
@@ -293,6 +289,12 @@ function fillTable() {
     } else {
       row.append(...COLUMNS.map(cell));
       row.addEventListener('click', () => openViewer(point));
+      row.tabIndex = 0;
+      row.addEventListener('keydown', event => {
+        if (event.key !== 'Enter' && event.key !== ' ') return;
+        event.preventDefault();  // the space bar scrolls
+        openViewer(point);
+      });
     }
     return row;
   }));
@@ -311,15 +313,21 @@ function openViewer(point) {
   viewer.querySelector('.numbers').textContent = numbersOf(point).slice(1).join(' · ');
   set('.test', 'image');
   set('.reference', 'reference');
+  const white = at(point, 'difference_white');
   set('.difference', 'difference');
-  viewer.querySelector('.pictures figcaption').textContent = images.difference
-    ? `Difference from the exact picture, times ${data.difference_scale}` : 'No exact picture here';
+  if (white === 0) viewer.querySelector('.difference').hidden = true;
+  viewer.querySelector('.pictures figcaption').textContent = !images.difference ? 'No exact picture here'
+    : white === 0 ? 'No difference from the exact picture'
+    : `Difference from the exact picture: R, G and B each times ${shown(1 / white)}`;
+  viewer.querySelector('.scale').replaceChildren(...(white > 0 ? [colourBar('linear-gradient(to right,#000,#fff)', '0',
+    `${shown(white)} and more, of 1` + (data.difference_scale === null ? ' (99th percentile)' : ''))] : []));
   const flip = viewer.querySelector('.flip');
   flip.hidden = !images.flip;
   flip.replaceChildren(...(images.flip ? [element('img', {src: data.pictures[images.flip], alt: 'FLIP map'}),
-    element('figcaption', {}, 'FLIP: black where nothing is seen, light yellow for the largest difference')] : []));
-  viewer.querySelector('.files').replaceChildren('Full size: ', ...Object.entries(images).flatMap(([role, file], i) =>
-    [...(i > 0 ? [', '] : []), element('a', {href: encodeURI(file)}, role)]));
+    element('figcaption', {}, white === 0 ? 'FLIP: no difference' : 'FLIP'), flipBar()] : []));
+  // No links: the page also travels alone.
+  viewer.querySelector('.files').textContent = Object.keys(images).length === 0 ? '' : 'Full size, in the folder of the results: '
+    + Object.entries(images).map(([role, file]) => `${file} (${role})`).join(', ');
   moveDivider(50);
   if (viewer.showModal && !viewer.open) viewer.showModal();
 }
@@ -351,6 +359,7 @@ function openFromAddress() {
   for (const dimension of DIMENSIONS) view[dimension.id] = dimension.of(point);
   fillView();
   if (point.images) openViewer(point);
+  else document.querySelector(`[data-key="${point.key}"]`).scrollIntoView();  // refused
 }
 
 fillHeader();

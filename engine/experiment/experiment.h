@@ -155,7 +155,7 @@ struct Experiment {
   std::string text;  ///< the file
   /// The parsed file: settings stay in it, because a copied table forgets its lines.
   std::shared_ptr<const toml::table> document;
-  double differenceScale = 8.0;  ///< of the difference maps
+  double differenceScale = 0.0;  ///< of the difference maps; 0: each by its 99th percentile
   int reportPixels = 512;        ///< longest side of the report's pictures
   std::vector<Variant> variants;
   std::vector<Study> studies;

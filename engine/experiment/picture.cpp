@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <stdexcept>
 
 #include "engine/image/jpeg.h"
 
@@ -37,22 +35,6 @@ double areaMean(const image::Image8& image, double x0, double x1, double y0, dou
 }
 
 }  // namespace
-
-image::Image8 differenceMap(const image::Image8& reference, const image::Image8& test,
-                            double scale) {
-  if (reference.width != test.width || reference.height != test.height ||
-      reference.channels != test.channels || reference.pixels.size() != test.pixels.size()) {
-    throw std::invalid_argument("a difference of images of two shapes");
-  }
-  image::Image8 map{reference.width, reference.height, reference.channels, {}};
-  map.pixels.reserve(reference.pixels.size());
-  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-    const int difference = std::abs(reference.pixels[i] - test.pixels[i]);
-    map.pixels.push_back(
-        static_cast<std::uint8_t>(std::min(255.0, std::round(difference * scale))));
-  }
-  return map;
-}
 
 image::Image8 shrink(const image::Image8& image, int longest) {
   const int side = std::max(image.width, image.height);

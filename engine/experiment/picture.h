@@ -1,4 +1,4 @@
-// Pictures of a report: difference maps, smaller copies, data URIs.
+// Pictures of a report: smaller copies, data URIs.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,6 @@
 #include "engine/image/image.h"
 
 namespace macula::experiment {
-
-/// |reference - test| of each channel times `scale`, clamped to 255. Three channels.
-/// @throws std::invalid_argument where the sizes differ
-[[nodiscard]] image::Image8 differenceMap(const image::Image8& reference, const image::Image8& test,
-                                          double scale);
 
 /// The image with its longest side at most `longest`: every pixel the mean of the area that it
 /// covers, of display values. Smaller images stay as they are.

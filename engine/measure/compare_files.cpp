@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/file.h"
 #include "engine/measure/error_maps.h"
 
 namespace macula::measure {
@@ -50,9 +51,12 @@ std::pair<ImageError, MapFiles> compareFilesToMaps(const std::filesystem::path& 
   withFlip.flip = true;
   const Loaded loaded = compareLoaded(reference, test, withFlip);
   const DifferenceMap difference = differenceMap(loaded.reference, loaded.test);
-  MapFiles files{prefix + "_difference.png", difference.scale, prefix + "_flip.png"};
+  MapFiles files{prefix + "_difference.png", difference.scale, difference.white,
+                 prefix + "_flip.png", prefix + "_scale.svg"};
   image::writePng(files.difference, difference.image);
   image::writePng(files.flip, flipImage(loaded.comparison.flipMap.value()));
+  writeFileAtomically(
+      files.bars, colourBars(difference.white, options.hdr ? "linear" : "display values, 0 to 1"));
   return {loaded.comparison.error, files};
 }
 

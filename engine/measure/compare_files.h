@@ -20,7 +20,9 @@ namespace macula::measure {
 struct MapFiles {
   std::filesystem::path difference;  ///< PREFIX_difference.png, see differenceMap()
   double differenceScale = 1.0;
-  std::filesystem::path flip;  ///< PREFIX_flip.png, see flipImage()
+  double differenceWhite = 0.0;  ///< 0: the images are equal
+  std::filesystem::path flip;    ///< PREFIX_flip.png, see flipImage()
+  std::filesystem::path bars;    ///< PREFIX_scale.svg, see colourBars()
 };
 
 /// compareFiles() that also writes maps.

@@ -162,6 +162,49 @@ document.body.append(`used: ${pictures} pictures, divider at ${document.querySel
 </script></body>"""
 
 
+# Before all scripts: what charts write on their canvases.
+RECORD = """<script>
+const written = [];
+const fillText = CanvasRenderingContext2D.prototype.fillText;
+CanvasRenderingContext2D.prototype.fillText = function(text, ...at) { written.push(text); fillText.call(this, text, ...at); };
+</script>"""
+
+# What a reader without a mouse does, and where zeros stand.
+KEYS = """<script>
+setTimeout(() => {
+  const facts = [];
+  const lane = document.querySelector('#by-time .zero-lane');
+  const edge = lane ? Number(lane.getAttribute('y')) : Infinity;
+  for (const dot of document.querySelectorAll('#by-time .dot')) {
+    facts.push((dot.classList.contains('exact') ? 'zero ' : 'other ') + (parseFloat(dot.style.top) > edge ? 'in' : 'out'));
+  }
+  facts.sort();
+  const heading = name => [...document.querySelectorAll('#table th')].find(h => h.textContent === name);
+  for (const times of [1, 2]) {
+    const button = heading('RMSE').querySelector('button');
+    button.focus();
+    button.click();  // as Enter and the space bar do
+    facts.push(`${heading('RMSE').getAttribute('aria-sort')} ${heading('RMSE').contains(document.activeElement)}`);
+  }
+  const viewer = document.getElementById('viewer');
+  for (const key of ['Enter', ' ', 'x']) {
+    const row = document.querySelector('#table tbody tr[tabindex="0"]');
+    row.focus();
+    row.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}));
+    facts.push(`${document.activeElement === row || viewer.open} ${viewer.open}`);
+    viewer.close();
+  }
+  for (const row of document.querySelectorAll('#table tbody tr[tabindex="0"]')) {
+    row.click();
+    facts.push(viewer.querySelector('.pictures figcaption').textContent.split(':')[0] + '; '
+      + (getComputedStyle(viewer.querySelector('.difference')).display === 'none') + '; ' + viewer.querySelector('.scale').textContent);
+    viewer.close();
+  }
+  document.body.append(`written: ${JSON.stringify(written)}`, element('pre', {id: 'facts'}, facts.join('\\n')));
+}, 300);
+</script></body>"""
+
+
 def chart(folder, experiment, *options, check=True):
     path = os.path.join(folder, "experiment.toml")
     with open(path, "w", encoding="utf-8") as f:
@@ -186,6 +229,7 @@ def check_results(folder):
     assert exact["error"]["rmse"] == 0 and exact["error"]["psnr_db"] is None, exact["error"]
     assert narrow["bytes"]["budget"] == 4 * 64 * 64 * 16
     assert half["bytes"]["budget"] == 0.5 * 16 * 64 * 64 * 16, half["bytes"]
+    assert exact["difference_white"] == 0 < narrow["difference_white"] <= narrow["error"]["max"] + 1e-6
     assert narrow["error"]["rmse"] > 0 and narrow["fragments"]["loss"] > 0
     assert narrow["fragments"]["stored"] * 16 <= narrow["bytes"]["budget"]
     assert refused["status"] == "refused" and "lower" in refused["reason"], refused
@@ -306,7 +350,34 @@ def check_report(folder):
     # three points in two charts and three rows
     found = re.search(r"used: \d+ pictures, divider at [^<]*", opened(browser, folder, used))
     assert found and found.group(0) == "used: 9 pictures, divider at 30%", found
+    check_alone(browser, folder, text, made)
     return True
+
+
+def check_alone(browser, folder, text, made):
+    """The page in an empty folder, read without a mouse: lanes of zeros, units, sorting, no dead links."""
+    alone = os.path.join(folder, "alone")
+    os.makedirs(alone)
+    page = os.path.join(alone, "report.html")
+    with open(page, "w", encoding="utf-8") as f:
+        f.write(text.replace("<head>", "<head>" + RECORD).replace("</body>", KEYS))
+    dom = opened(browser, folder, page)
+    assert not re.search(r"<a [^>]*href=", dom[dom.index("</script>"):]), "a link to a file that is not there"
+    written = json.loads(re.search(r"written: (\[.*?\])<", dom).group(1))
+    assert "0" in written, "the lane of zeros has no label"
+    for label in ("transparency, ms", "storage + overhead, MiB", "RMSE (display values, 0 to 1)"):
+        assert label in written, (label, written)
+    facts = re.search(r'<pre id="facts">(.*?)</pre>', dom, re.S).group(1).split("\n")
+    assert facts[:8] == ["other out", "other out", "zero in", "ascending true", "descending true",
+                         "true true", "true true", "true false"], facts
+    exact = next(p for p in made if p["variant"] == "exact")
+    assert exact["images"]["difference"] in dom and "Full size, in the folder of the results: " in dom
+    assert sorted(fact.split(";")[0] for fact in facts[8:]) == [
+        "Difference from the exact picture"] * 2 + ["No difference from the exact picture"], facts
+    for fact in facts[8:]:
+        _, hidden, scale = fact.split("; ")
+        assert (hidden == "true") == fact.startswith("No") == (scale == ""), fact
+        assert scale == "" or scale.endswith("and more, of 1 (99th percentile)"), fact
 
 
 def check_sweep(folder):

@@ -129,6 +129,8 @@ def check_images(folder):
     assert abs(more["flip_gaze"] - report["frames"][0]["error"]["flip_gaze"]) < 2 / 255
     assert more["maps"]["difference"] == prefix + "_difference.png"
     assert more["maps"]["difference_scale"] >= 1
+    assert abs(more["maps"]["difference_scale"] * more["maps"]["difference_white"] - 1) < 1e-6
+    assert os.path.exists(more["maps"]["colour_bars"])
     assert os.path.exists(prefix + "_difference.png") and os.path.exists(prefix + "_flip.png")
 
 

@@ -186,12 +186,6 @@ TEST(ExperimentPicture, Base64OfRfc4648) {
   EXPECT_EQ(base64("\xFF\xFE"), "//4=");
 }
 
-TEST(ExperimentPicture, DifferencesAreScaledAndClamped) {
-  const image::Image8 a{2, 1, 1, {10, 200}};
-  const image::Image8 b{2, 1, 1, {13, 100}};
-  EXPECT_EQ(differenceMap(a, b, 8.0).pixels, (std::vector<std::uint8_t>{24, 255}));
-}
-
 TEST(ExperimentPicture, ShrinkingTakesMeans) {
   const image::Image8 wide{4, 2, 1, {0, 100, 10, 20, 100, 200, 30, 40}};
   const image::Image8 small = shrink(wide, 2);

@@ -82,14 +82,37 @@ TEST(Flicker, RefusesOtherSizes) {
   EXPECT_THROW((void)meter.next(one, one), InputError);
 }
 
-TEST(ErrorMaps, DifferencesAreScaledByAPowerOfTwo) {
-  // 0.2 takes a factor of 4: 0.8 is 204 of 255; 0.05 becomes 51.
+TEST(ErrorMaps, DifferencesAreScaledByTheir99thPercentile) {
+  // Six differences: the largest is at 99 %. 0.05 becomes a quarter of white.
   const DifferenceMap map = differenceMap(pair(0.5F, 0.5F), pair(0.3F, 0.55F));
-  EXPECT_EQ(map.scale, 4.0);
-  EXPECT_EQ(map.image.pixels, (std::vector<std::uint8_t>{204, 204, 204, 51, 51, 51}));
-  EXPECT_EQ(differenceMap(pair(0, 0), pair(0.25F, 0)).scale, 4.0) << "1 is not clipped";
-  EXPECT_EQ(differenceMap(pair(0, 0), pair(3.0F, 0)).scale, 0.25) << "linear values";
-  EXPECT_EQ(differenceMap(pair(1, 1), pair(1, 1)).scale, 1.0);
+  EXPECT_NEAR(map.white, 0.2, 1e-6);
+  EXPECT_NEAR(map.scale, 5.0, 1e-4);
+  EXPECT_EQ(map.image.pixels, (std::vector<std::uint8_t>{255, 255, 255, 64, 64, 64}));
+  EXPECT_EQ(differenceMap(pair(0, 0), pair(3.0F, 0)).white, 3.0) << "linear values";
+  EXPECT_EQ(differenceMap(pair(0, 0), pair(0.25F, 0.5F), 2.0).image.pixels[0], 128) << "fixed";
+  // 1 to 100 hundredths in 100 pixels: the 99th is white, and so is the one beyond.
+  ImageF reference{100, 1, 1, std::vector<float>(100, 0.0F)};
+  ImageF test = reference;
+  for (std::size_t i = 0; i < 100; ++i) test.pixels[i] = static_cast<float>(i + 1) / 100.0F;
+  const DifferenceMap ramp = differenceMap(reference, test);
+  EXPECT_NEAR(ramp.white, 0.99, 1e-6);
+  EXPECT_EQ(ramp.image.pixels.back(), 255);
+  EXPECT_EQ(ramp.image.pixels.front(), 3) << "0.01 / 0.99 of 255";
+  // One wrong pixel of a thousand is seen.
+  reference = ImageF{1000, 1, 1, std::vector<float>(1000, 0.5F)};
+  test = reference;
+  test.pixels[7] = 0.51F;
+  EXPECT_EQ(differenceMap(reference, test).image.pixels[21], 255);
+}
+
+TEST(ErrorMaps, EqualImagesHaveNoScale) {
+  for (const auto scale : {std::optional<double>(), std::optional<double>(8.0)}) {
+    const DifferenceMap equal = differenceMap(pair(1, 1), pair(1, 1), scale);
+    EXPECT_EQ(equal.white, 0.0);
+    EXPECT_EQ(equal.scale, 1.0);
+  }
+  EXPECT_NE(colourBars(0.0, "linear").find("no difference"), std::string::npos);
+  EXPECT_NE(colourBars(0.125, "linear").find("0.125 and more (linear)"), std::string::npos);
 }
 
 TEST(ErrorMaps, FlipIsShownInMagma) {
@@ -115,9 +138,11 @@ TEST(ErrorMaps, AreWrittenBesideTheNumbers) {
   const auto [error, maps] = compareFilesToMaps(a, b, (folder / "map").string());
   EXPECT_EQ(error.rmse, compareFiles(a, b).rmse);
   EXPECT_EQ(error.flip, compareFiles(a, b).flip);
-  EXPECT_EQ(maps.differenceScale, 4.0);
+  EXPECT_NEAR(maps.differenceWhite, 0.2, 1e-6);
+  EXPECT_NEAR(maps.differenceScale, 5.0, 1e-4);
+  EXPECT_TRUE(std::filesystem::exists(folder / "map_scale.svg"));
   const ImageF difference = image::readImage(folder / "map_difference.png");
-  EXPECT_NEAR(difference.pixels[0], 0.8F, 1e-6);
+  EXPECT_NEAR(difference.pixels[0], 1.0F, 1e-6);
   EXPECT_EQ(image::readImage(folder / "map_flip.png").width, 2);
   EXPECT_THROW((void)compareFilesToMaps(a, b, (folder / "none" / "map").string()), InputError);
   std::filesystem::remove_all(folder);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "engine/experiment/picture.h"
 #include "engine/measure/error_maps.h"
 #include "engine/measure/image_error.h"
 
@@ -137,9 +136,9 @@ void Contender::describe(Point& point) const {
   point["settings"] = settings_->registry.toJson();
 }
 
-void describeImage(Point& point, const image::Image8& picture, const image::Image8& shown,
-                   const image::ImageF& display, const Reference& reference, double scale,
-                   const std::filesystem::path& folder, const std::string& stem) {
+void describeImage(Point& point, const image::Image8& picture, const image::ImageF& display,
+                   const Reference& reference, double scale, const std::filesystem::path& folder,
+                   const std::string& stem) {
   const std::string image = "images/" + stem + ".png";
   image::writePng(folder / image, picture);
   point["images"] = {{"image", image}};
@@ -148,7 +147,10 @@ void describeImage(Point& point, const image::Image8& picture, const image::Imag
     return;
   }
   const std::string difference = "images/" + stem + "_difference.png";
-  image::writePng(folder / difference, experiment::differenceMap(reference.shown, shown, scale));
+  const measure::DifferenceMap map = measure::differenceMap(
+      reference.display, display, scale > 0.0 ? std::optional<double>(scale) : std::nullopt);
+  image::writePng(folder / difference, map.image);
+  point["difference_white"] = map.white;
   point["images"]["difference"] = difference;
   point["images"]["reference"] = reference.file;
   measure::CompareOptions viewer;

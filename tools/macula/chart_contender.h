@@ -77,10 +77,9 @@ class Contender {
 };
 
 /// Adds errors against the reference to a point, writes image and error maps and names them.
-/// @param picture what is written: the image, or its heat map @param shown the image, 8-bit
+/// @param picture what is written: the image, or its heat map
 void describeImage(experiment::Point& point, const image::Image8& picture,
-                   const image::Image8& shown, const image::ImageF& display,
-                   const Reference& reference, double scale, const std::filesystem::path& folder,
-                   const std::string& stem);
+                   const image::ImageF& display, const Reference& reference, double scale,
+                   const std::filesystem::path& folder, const std::string& stem);
 
 }  // namespace macula::tools

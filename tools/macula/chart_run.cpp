@@ -201,8 +201,7 @@ class LoadedGroup {
   Point finish(const Batch& batch, const PointPlan& plan, const Contender& contender) const {
     Point point = startPoint(run_.experiment, group_, batch, plan, experiment::kMeasured);
     contender.describe(point);
-    const image::Image8 shown = contender.shown();
-    describeImage(point, shownPicture(contender.renderer(), shown), shown, contender.display(),
+    describeImage(point, shownPicture(contender.renderer(), contender.shown()), contender.display(),
                   reference_, run_.experiment.differenceScale, run_.folder, plan.stem);
     return point;
   }
@@ -244,9 +243,8 @@ class LoadedGroup {
                           {"lost", answer.lost},
                           {"loss", loss}};
     point["k"] = {{"min", answer.kMin}, {"max", answer.kMax}, {"mean", answer.kMean}};
-    const image::Image8 shown = image::toImage8(answer.display);
-    describeImage(point, shown, shown, answer.display, reference_, run_.experiment.differenceScale,
-                  run_.folder, plan.stem);
+    describeImage(point, image::toImage8(answer.display), answer.display, reference_,
+                  run_.experiment.differenceScale, run_.folder, plan.stem);
   }
 
   ChartRun& run_;

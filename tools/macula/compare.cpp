@@ -41,13 +41,22 @@ void run(const Options& options) {
       measure::compareFilesToMaps(options.reference, options.test, options.maps, compare);
   if (!quiet) {
     print(error);
-    fmt::print("{}: absolute differences times {}\n{}: FLIP 0..1 from black to light yellow\n",
-               maps.difference.string(), maps.differenceScale, maps.flip.string());
+    const std::string scale =
+        maps.differenceWhite == 0.0
+            ? "no difference, all black"
+            : fmt::format(
+                  "absolute differences times {:.4g}; white is {:.4g} (99th percentile) and more",
+                  maps.differenceScale, maps.differenceWhite);
+    fmt::print("{}: {}\n{}: FLIP 0..1 from black to light yellow{}\n{}: colour bars of both\n",
+               maps.difference.string(), scale, maps.flip.string(),
+               maps.differenceWhite == 0.0 ? "; no difference" : "", maps.bars.string());
   }
   nlohmann::json json = measure::toJson(error);
   json["maps"] = {{"difference", maps.difference.string()},
                   {"difference_scale", maps.differenceScale},
-                  {"flip", maps.flip.string()}};
+                  {"difference_white", maps.differenceWhite},
+                  {"flip", maps.flip.string()},
+                  {"colour_bars", maps.bars.string()}};
   writeJson(options.json, json);
 }
 
@@ -65,7 +74,11 @@ void addCompare(CLI::App& root) {
       ->check(CLI::Range(1.0, 1000.0));
   command->add_option("--gaze", options->gaze,
                       "X,Y (0..1 from the top left): also FLIP weighted by acuity around it");
-  command->add_option("--maps", options->maps, "Write PREFIX_difference.png and PREFIX_flip.png")
+  command
+      ->add_option(
+          "--maps", options->maps,
+          "Write PREFIX_difference.png and PREFIX_flip.png, and PREFIX_scale.svg with their "
+          "colour bars")
       ->type_name("PREFIX");
   addJsonOption(*command, options->json);
   command->callback([options] { run(*options); });
