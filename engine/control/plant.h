@@ -1,4 +1,4 @@
-// A made-up GPU: frame times as a function of r, noise and load. Deterministic.
+// A simulated GPU: frame times as a function of r, noise and load. Deterministic.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,11 @@
 // The protocol of the plant: loads, noises and clocks that control laws fail on.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "engine/control/plant.h"
+#include "engine/core/plural.h"
 
 namespace macula::control {
 namespace {
@@ -60,9 +62,10 @@ void addNoise(std::vector<PlantCase>& cases) {
 
 void addDeadTimes(std::vector<PlantCase>& cases) {
   for (int dead = 1; dead <= 6; ++dead) {
-    cases.push_back(stepped("dead-" + std::to_string(dead),
-                            "K 20 to 40 ms, times " + std::to_string(dead) + " frames late",
-                            {40.0, 3.0}));
+    cases.push_back(stepped(
+        "dead-" + std::to_string(dead),
+        "K 20 to 40 ms, times " + counted(static_cast<std::uint64_t>(dead), "frame") + " late",
+        {40.0, 3.0}));
     cases.back().deadFrames = dead;
   }
 }

@@ -1,4 +1,4 @@
-// macula hold --plant: the protocol of control laws on a made-up GPU.
+// macula hold --plant: the protocol of control laws on a simulated GPU.
 #include <fmt/format.h>
 
 #include "engine/control/plant.h"

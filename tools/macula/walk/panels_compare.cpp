@@ -71,8 +71,9 @@ void drawResult(const PanelInput& input, Requests& requests) {
     requests.push_back({Action::ShowMap, mapNames()[*pressed]});
   }
   if (errors.map() == ErrorCheck::Map::Difference) {
-    ui::note(fmt::format("|difference| of R, G, B times {:g}, at frame {}", result.differenceScale,
-                         result.frame));
+    ui::note(error.max == 0.0 ? fmt::format("no difference, at frame {}", result.frame)
+                              : fmt::format("|difference| of R, G, B times {:.4g}, at frame {}",
+                                            result.differenceScale, result.frame));
   }
   if (errors.map() == ErrorCheck::Map::Flip) {
     ui::note(fmt::format("FLIP from 0 (black) to 1 (light yellow), at frame {}", result.frame));
