@@ -32,8 +32,10 @@ void addWalk(CLI::App& root) {
           "(default mouse)")
       ->type_name("GAZE");
   command
-      ->add_option("--camera", o->camera,
-                   "auto (plays an orbit), scene (the file's first camera) or a path file to play")
+      ->add_option(
+          "--camera", o->camera,
+          "auto (plays an orbit), scene (the file's first camera), or a path file or recording "
+          "to play")
       ->type_name("CAMERA");
   command->add_option("--frames", o->frames, "Close after this many; 0: stay open (default 0)")
       ->check(CLI::Range(0, kMaxFrames));
