@@ -2,8 +2,6 @@
 // the results are held against.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "engine/measure/flip.h"
+#include "engine/settings/toml.h"
 
 namespace macula::experiment {
 

@@ -2,14 +2,14 @@
 // with its place.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/settings/toml.h"
 
 namespace macula::experiment {
 
