@@ -13,6 +13,7 @@ import csv
 import json
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tomllib
@@ -141,6 +142,14 @@ def heading(about):
     return ["", f"## {about['title']}", "", text + ".", ""]
 
 
+def spread_line(rows):
+    """How far the times of a run spread, so that a reader knows what a ratio is worth."""
+    spreads = [(float(row["ms.total.p95"]) - float(row["ms.total.p5"])) / float(row["ms.total"])
+               for row in rows if row["ms.total.p5"] and row["ms.total"] != row["ms.total.p5"]]
+    return (f"Frame times of a point spread, from the 5th to the 95th percentile, by {statistics.median(spreads):.0%} "
+            f"of its median (median of {len(spreads)} points).")
+
+
 def plant_lines(about, rows):
     """The laws on the simulated GPU: how the load doubling is met, and how often r swings."""
     lines = heading(about)
@@ -167,6 +176,8 @@ def page():
             lines += plant_lines(about, rows)
         elif path.name.endswith(".claims.csv"):
             lines += heading(about)
+            points = path.name.replace(".claims", "")
+            lines += [spread_line(files.read(points)[1]), ""]
             for name in dict.fromkeys(row["claim"] for row in rows):
                 own = [row for row in rows if row["claim"] == name]
                 lines += claim_lines(name, own, notes.get(path.name.split(".")[0], {}))
