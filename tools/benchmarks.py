@@ -142,12 +142,15 @@ def heading(about):
     return ["", f"## {about['title']}", "", text + ".", ""]
 
 
-def spread_line(rows):
-    """How far the times of a run spread, so that a reader knows what a ratio is worth."""
+def spread_lines(rows):
+    """How far the times of a run spread, so that a reader knows what a ratio is worth; nothing where every
+    point was measured once."""
     spreads = [(float(row["ms.total.p95"]) - float(row["ms.total.p5"])) / float(row["ms.total"])
                for row in rows if row["ms.total.p5"] and row["ms.total"] != row["ms.total.p5"]]
-    return (f"Frame times of a point spread, from the 5th to the 95th percentile, by {statistics.median(spreads):.0%} "
-            f"of its median (median of {len(spreads)} points).")
+    if not spreads:
+        return []
+    return [f"Frame times of a point spread, from the 5th to the 95th percentile, by "
+            f"{statistics.median(spreads):.0%} of its median (median of {len(spreads)} points).", ""]
 
 
 def plant_lines(about, rows):
@@ -177,7 +180,7 @@ def page():
         elif path.name.endswith(".claims.csv"):
             lines += heading(about)
             points = path.name.replace(".claims", "")
-            lines += [spread_line(files.read(points)[1]), ""]
+            lines += spread_lines(files.read(points)[1])
             for name in dict.fromkeys(row["claim"] for row in rows):
                 own = [row for row in rows if row["claim"] == name]
                 lines += claim_lines(name, own, notes.get(path.name.split(".")[0], {}))

@@ -74,6 +74,9 @@ class Runner:
             for before, info, body in fences(page.read_text(encoding="utf-8")):
                 if info[:1] == ["sh"]:
                     printed = None
+                    unknown = re.sub(r"<!-- (?:instead|not run): .*? -->", "", before).strip()
+                    if unknown:
+                        self.faults.append(f"{page.name}: {unknown} is no comment of a block")
                     if "<!-- not run: " in before:
                         self.left_out.append(f"{page.name}: {body.splitlines()[0]}")
                         continue
