@@ -43,8 +43,9 @@ void Contender::draw(bool measured) {
   shadingMs_.push_back(shading);
 }
 
-void Contender::drawFrom(const scene::Camera& camera, glm::vec2 gaze, bool cut) {
-  result_ = renderer_.render(camera, gaze, cut);
+void Contender::drawFrom(const recording::Frame& frame) {
+  // The place alone counts, as in the measured rounds: a chart is of methods, not of trackers.
+  result_ = renderer_.render(frame.camera, frame.gaze.position, frame.cut);
 }
 
 image::Image8 Contender::shown() const {

@@ -11,6 +11,7 @@
 #include "engine/experiment/point.h"
 #include "engine/image/image.h"
 #include "engine/measure/flip.h"
+#include "engine/recording/recording.h"
 #include "passes/frame_renderer.h"
 
 namespace macula::tools {
@@ -43,9 +44,8 @@ class Contender {
   /// @throws InputError where the machine refuses the buffers
   void draw(bool measured);
   /// A frame beside those that count, on the history of the last one.
-  /// @param gaze 0..1 of the window @param cut the camera jumped
   /// @throws InputError where the machine refuses the buffers
-  void drawFrom(const scene::Camera& camera, glm::vec2 gaze, bool cut);
+  void drawFrom(const recording::Frame& frame);
 
   /// The images of the last frame.
   [[nodiscard]] image::Image8 shown() const;

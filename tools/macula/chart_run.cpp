@@ -183,18 +183,16 @@ class LoadedGroup {
   void walk(std::span<const std::unique_ptr<Contender>> contenders, std::span<Point> points) {
     if (study_.pathFrames == 0 || reference_.file.empty()) return;
     const auto gaze = gaze::parseGazeSpec(study_.gaze);
+    recording::PathFrames frames(camera_, *gaze, study_.pathFps,
+                                 static_cast<std::size_t>(study_.pathFrames), stage_.size);
     std::string refusal;
-    bool exact = true;
     attempt(refusal, [&] {
       const auto reference = makeReference();
-      const PathTrack track{camera_, *gaze, study_.pathFrames, study_.pathFps};
-      exact = walkPath(track, *reference, contenders, points, [&] {
-        progress_.advance();
-        run_.interrupted = run_.interrupted || interruptAsked();
-        return !run_.interrupted;
-      });
+      const auto exact =
+          walkPath(frames, study_.pathFps, *reference, contenders, points, progress_);
+      if (!exact.has_value()) run_.interrupted = true;
+      if (exact == false) refusal = "ab-sbuffer was not exact here";
     });
-    if (!exact) refusal = "ab-sbuffer was not exact here";
     if (!refusal.empty()) run_.skipped.push_back({group_.label() + ", path", refusal});
   }
 

@@ -65,7 +65,7 @@ void describeRun(measure::RunRecord& run, const std::string& scene, const Replay
   run.version = machine.capabilities.version;
   run.timeSource = gl::nameOf(machine.time.source);
   run.method = options.settings.oit.method;
-  if (renderer.plan().method->insertion == passes::Insertion::Sorted) {
+  if (renderer.plan().sorted()) {
     run.sync = passes::nameOf(renderer.plan().sync);
   }
   run.settings = options.registry.toJson();

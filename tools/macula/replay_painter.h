@@ -9,6 +9,7 @@
 #include "engine/image/image.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/run_record.h"
+#include "engine/recording/recording.h"
 #include "engine/scene/gpu_scene.h"
 #include "passes/frame_renderer.h"
 #include "passes/machine.h"
@@ -33,9 +34,8 @@ class Painter {
     linear_.linear = true;
   }
 
-  passes::FrameResult draw(const scene::Camera& camera, const gaze::PointOfInterest& gaze,
-                           bool cut) {
-    return renderer_.render(camera, gaze, cut);
+  passes::FrameResult draw(const recording::Frame& frame) {
+    return renderer_.render(frame.camera, frame.gaze, frame.cut);
   }
   void readBack() {
     renderer_.readDisplay(display_.pixels);
