@@ -234,15 +234,21 @@ class LoadedGroup {
     const auto slots = bytes / static_cast<std::uint64_t>(experiment::kBytesPerFragment);
     const OracleAnswer answer = oracles.ask(run_.experiment.variants[plan.variant].oracle, slots);
     const std::uint64_t generated = answer.stored + answer.merged + answer.lost;
-    const double loss =
-        generated > 0 ? static_cast<double>(answer.lost) / static_cast<double>(generated) : 0.0;
-    point["bytes"] = {{"transparency", bytes}, {"oit", bytes}, {"budget", bytes}};
-    point["fragments"] = {{"generated", generated},
-                          {"stored", answer.stored},
-                          {"merged", answer.merged},
-                          {"lost", answer.lost},
-                          {"loss", loss}};
-    point["k"] = {{"min", answer.kMin}, {"max", answer.kMax}, {"mean", answer.kMean}};
+    measure::FrameRecord record;
+    record.set("bytes.total", bytes);
+    record.set("bytes.oit", bytes);
+    record.set("bytes.budget", bytes);
+    record.set("fragments.generated", generated);
+    record.set("fragments.stored", answer.stored);
+    record.set("fragments.merged", answer.merged);
+    record.set("fragments.lost", answer.lost);
+    record.set(
+        "fragments.loss",
+        generated > 0 ? static_cast<double>(answer.lost) / static_cast<double>(generated) : 0.0);
+    record.set("k.min", answer.kMin);
+    record.set("k.max", answer.kMax);
+    record.set("k.mean", answer.kMean);
+    measure::addTo(point, record, measure::kPoint, measure::None::Omit);
     describeImage(point, image::toImage8(answer.display), answer.display, reference_,
                   run_.experiment.differenceScale, run_.folder, plan.stem);
   }

@@ -21,6 +21,7 @@
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
 #include "engine/measure/run_record.h"
+#include "frame_record.h"
 #include "gaze_report.h"
 #include "passes/frame_renderer.h"
 #include "provenance.h"
@@ -115,20 +116,23 @@ void replay(ReplayOptions& options) {
     const gaze::PointOfInterest point = gazeSource->at(time);
     const bool cut = i > 0 && path.cutAt(previous, time);
     const scene::Camera camera = path.at(time);
-    measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
+    const passes::FrameResult result = painter.draw(camera, point, cut);
+    measure::FrameRecord record = recordOf(painter.renderer(), result);
+    setGaze(record, point);
     if (followed.hasDegrees()) {
-      record.gazeErrorDegrees = gaze::pointError(point, trueGaze->at(time), followed.display());
+      record.set("fovea.error_deg",
+                 gaze::pointError(point, trueGaze->at(time), followed.display()));
     }
     noteFirstFrame();
     painter.readBack();
-    record.index = i;
-    record.timeSeconds = time;
-    record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter.display().pixels)));
+    record.set("index", static_cast<std::uint64_t>(i));
+    record.set("time_s", time);
+    record.set("image_sha256", sha256Hex(std::as_bytes(std::span(painter.display().pixels))));
     if (!options.images.empty()) painter.write(output, "frame", i, options.images);
     if (turns) {
       turns->draw(camera, point, cut);
       turns->readBack();
-      record.hazards = measure::countUnlikePixels(turns->display(), painter.display());
+      record.set("hazards", measure::countUnlikePixels(turns->display(), painter.display()));
     }
     if (reference) {
       reference->draw(camera, point, cut);
@@ -145,9 +149,9 @@ void replay(ReplayOptions& options) {
   run.interrupted = run.frames.size() < static_cast<std::size_t>(options.frames);
 
   describeRun(run, options.scene, options, machine, painter.renderer(), size);
-  nlohmann::ordered_json report = measure::toJson(run);
-  report["gaze_log"] = followed.toJson();
-  report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
+  run.gazeLog = followed.toJson();
+  run.gazeErrorBasis = followed.errorBasis();
+  const nlohmann::ordered_json report = measure::toJson(run);
   const std::filesystem::path file = output.file("report.json");
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options.json, report);

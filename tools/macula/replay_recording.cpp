@@ -18,6 +18,7 @@
 #include "engine/core/sha256.h"
 #include "engine/recording/reader.h"
 #include "engine/recording/scene_source.h"
+#include "frame_record.h"
 #include "provenance.h"
 #include "recorded_levers.h"
 #include "replay_painter.h"
@@ -31,13 +32,6 @@ using recording::Reset;
 double millisecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
-
-/// How the images compare with the recorded hashes.
-struct HashCount {
-  std::size_t compared = 0;
-  std::size_t equal = 0;
-  std::optional<std::uint64_t> firstDifference;  ///< index of the frame
-};
 
 /// Draws the frames of a recording in their order.
 class Session {
@@ -76,8 +70,7 @@ class Session {
   std::optional<Painter> painter_;
   std::optional<Painter> reference_;
   std::optional<measure::FlickerMeter> flicker_;
-  HashCount hashes_;
-  std::uint64_t unrecorded_ = 0;
+  measure::RecordingNumbers numbers_;
   std::set<std::string> unknown_;  ///< settings that were left out
 };
 
@@ -148,24 +141,27 @@ std::string Session::placeOf(const recording::Frame& frame) const {
 
 void Session::draw(const recording::Frame& frame) {
   follow(frame);
-  unrecorded_ += frame.unrecorded;
+  numbers_.unrecordedFrames += frame.unrecorded;
   const passes::FrameResult result = painter_->draw(frame.camera, frame.gaze, frame.cut);
   if (run_.firstFrameMs == 0.0) run_.firstFrameMs = millisecondsSince(begin_);
-  measure::FrameRecord record = recordOf(result, frame.gaze);
+  measure::FrameRecord record = recordOf(painter_->renderer(), result);
+  setGaze(record, frame.gaze);
   painter_->readBack();
-  record.index = static_cast<int>(frame.index);
-  record.timeSeconds = frame.timeSeconds;
-  record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
-  compareHash(frame, result, record.imageSha256);
+  const std::string sha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
+  record.set("index", frame.index);
+  record.set("time_s", frame.timeSeconds);
+  record.set("image_sha256", sha256);
+  compareHash(frame, result, sha256);
+  const int index = static_cast<int>(frame.index);
   if (!options_.images.empty()) {
-    painter_->write(output_, "frame", record.index, options_.images);
+    painter_->write(output_, "frame", index, options_.images);
   }
   if (reference_) {
     reference_->draw(frame.camera, frame.gaze, frame.cut);
     reference_->readBack();
     compareWithReference(record, *reference_, *painter_, options_, *flicker_);
     if (!options_.images.empty()) {
-      reference_->write(output_, "reference", record.index, options_.images);
+      reference_->write(output_, "reference", index, options_.images);
     }
   }
   run_.frames.push_back(std::move(record));
@@ -177,11 +173,11 @@ void Session::compareHash(const recording::Frame& frame, const passes::FrameResu
       painter_->renderer().plan().method->grows() && result.fragments && result.fragments->lost > 0;
   // These differ from run to run, and say so.
   if (frame.imageSha256.empty() || painter_->renderer().isRacy() || overflowed) return;
-  ++hashes_.compared;
+  ++numbers_.hashesCompared;
   if (sha256 == frame.imageSha256) {
-    ++hashes_.equal;
-  } else if (!hashes_.firstDifference) {
-    hashes_.firstDifference = frame.index;
+    ++numbers_.hashesEqual;
+  } else if (!numbers_.firstDifference) {
+    numbers_.firstDifference = frame.index;
   }
 }
 
@@ -205,37 +201,34 @@ void Session::finish() {
               painter_->renderer().outputSize());
   run_.interrupted = run_.frames.size() < recording_.frames.size();
   run_.provenance = provenanceJson();
-  nlohmann::ordered_json report = measure::toJson(run_);
-  report["gaze_log"] = nullptr;
-  report["summary"]["gaze_error_deg"]["basis"] =
-      "none: a recording holds the point of interest, not where the eye was";
-  report["recording"] = {
-      {"frames", recording_.frames.size()}, {"truncated_lines", recording_.truncatedLines},
-      {"unrecorded_frames", unrecorded_},   {"hashes_compared", hashes_.compared},
-      {"hashes_equal", hashes_.equal},      {"first_difference", nullptr}};
-  if (hashes_.firstDifference) report["recording"]["first_difference"] = *hashes_.firstDifference;
+  run_.gazeErrorBasis = "none: a recording holds the point of interest, not where the eye was";
+  numbers_.frames = recording_.frames.size();
+  numbers_.truncatedLines = recording_.truncatedLines;
+  run_.recording = numbers_;
+  const nlohmann::ordered_json report = measure::toJson(run_);
   const std::filesystem::path file = output_.file("report.json");
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options_.json, report);
   if (options_.json != "-") {
     fmt::print("{} of {} as recorded: median {:.2f} ms; {} of {} equal\n",
                counted(run_.frames.size(), "frame"), oneLine(session.scene.name),
-               report["summary"]["ms"]["median"].get<double>(), hashes_.equal,
-               counted(hashes_.compared, "image hash", "image hashes"));
+               report["summary"]["ms"]["median"].get<double>(), numbers_.hashesEqual,
+               counted(numbers_.hashesCompared, "image hash", "image hashes"));
     fmt::print("report: {}\n", file.string());
   }
   if (run_.interrupted) {
     throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",
                                   run_.frames.size(), recording_.frames.size(), file.string()));
   }
-  if (!hashes_.firstDifference) return;
+  if (!numbers_.firstDifference) return;
   throw Difference(fmt::format(
       "{}: frame {} is the first of {} whose image is not the recorded one (recorded by {} on {}, "
       "{}{})",
-      options_.scene, *hashes_.firstDifference, hashes_.compared - hashes_.equal, session.commit,
-      session.renderer, session.version,
-      unrecorded_ > 0
-          ? fmt::format("; {} drawn unrecorded", counted(unrecorded_, "frame was", "frames were"))
+      options_.scene, *numbers_.firstDifference, numbers_.hashesCompared - numbers_.hashesEqual,
+      session.commit, session.renderer, session.version,
+      numbers_.unrecordedFrames > 0
+          ? fmt::format("; {} drawn unrecorded",
+                        counted(numbers_.unrecordedFrames, "frame was", "frames were"))
           : ""));
 }
 
