@@ -106,7 +106,7 @@ bool sameGroup(const Point& a, const Point& b) {
          a["height"] == b["height"] && a["seed"] == b["seed"] && a["light"] == b["light"];
 }
 
-bool tookTurns(const Point& a, const Point& b) {
+bool interleaved(const Point& a, const Point& b) {
   return textOf(a, "batch") == textOf(b, "batch");
 }
 

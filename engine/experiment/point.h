@@ -31,8 +31,9 @@ inline constexpr const char* kRefused = "refused";  ///< "reason" says why
 /// Whether two points share study, scene, size, seed and light.
 [[nodiscard]] bool sameGroup(const Point& a, const Point& b);
 
-/// Whether two points took turns, so that their times may be divided by each other.
-[[nodiscard]] bool tookTurns(const Point& a, const Point& b);
+/// Whether the frames of two points were interleaved, so that their times may be divided by one
+/// another.
+[[nodiscard]] bool interleaved(const Point& a, const Point& b);
 
 /// {"median", "p5", "p95"} of at least one value.
 [[nodiscard]] Point spreadOf(std::span<const double> values);

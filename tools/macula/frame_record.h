@@ -1,4 +1,5 @@
-// The one place where a frame's record is filled from what the renderer says of it.
+// Fills a frame's record from the renderer's result: the one place for every subcommand that
+// measures.
 #pragma once
 
 #include <cstdint>

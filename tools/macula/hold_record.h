@@ -14,7 +14,7 @@
 
 namespace macula::tools {
 
-/// One load, measured before the run at the path's begin.
+/// One load, measured at the start of the path, before the run.
 struct LoadTimes {
   int times = 1;
   double fullRateMs = 0.0;   ///< median at r = 1

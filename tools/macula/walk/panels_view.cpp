@@ -31,6 +31,7 @@ void drawHeatmapLegend(const PanelInput& input) {
 /// A value as it is read at a glance.
 std::string textOf(const measure::Metric& metric, const measure::Value& value) {
   constexpr double kPercent = 100.0;
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
   if (const auto* const flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
   if (const auto* const count = std::get_if<std::uint64_t>(&value)) {
     return metric.unit == "bytes" ? ui::bytesText(*count) : ui::countText(*count);
@@ -41,7 +42,7 @@ std::string textOf(const measure::Metric& metric, const measure::Value& value) {
   return fmt::format("{:.2f}", number);
 }
 
-/// Flags and counts that are good at one of their values are judged by it.
+/// A flag that should be set, and a count that should be 0, are marked.
 ui::Tone toneOf(const measure::Metric& metric, const measure::Value& value) {
   const auto* const flag = std::get_if<bool>(&value);
   if (flag != nullptr && metric.better == measure::Better::Higher) {
@@ -52,14 +53,14 @@ ui::Tone toneOf(const measure::Metric& metric, const measure::Value& value) {
   return count != nullptr && fault && *count > 0 ? ui::Tone::Warning : ui::Tone::Plain;
 }
 
-/// The metrics of the frame that are for a walk; why there are none, once for each level of names.
+/// The metrics of the frame that are for a walk. Where a level of names has no values, why.
 void drawMetrics(const measure::FrameRecord& record) {
   std::string_view before;
   for (std::size_t row = 0; row < measure::kMetrics.size(); ++row) {
     const measure::Metric& metric = measure::kMetrics[row];
     if (!metric.in(measure::kWalk)) continue;
     const std::string_view level = metric.name.substr(0, metric.name.find('.'));
-    const bool first = level != before;
+    const bool first = level != before && level != metric.name;
     before = level;
     const measure::Value& value = record.at(row);
     if (value.index() > 0) {
