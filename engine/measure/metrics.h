@@ -233,7 +233,7 @@ inline constexpr auto kMetrics = std::to_array<Metric>({
      .meaning = "The same map weighted by the acuity around the gaze (Guenter et al. 2012).",
      .source = kErrorSource,
      .none = kNoReference},
-    {.name = "flicker", .title = "flicker along the path",
+    {.name = "flicker", .title = "flicker",
      .unit = "display values a frame, 0 to 2", .better = Better::Lower, .summary = Summary::Mean,
      .places = kReport | kColumn | kPage, .inPoint = "path.flicker",
      .meaning = "Mean over pixels and channels of |(t_i - t_(i-1)) - (r_i - r_(i-1))|, t the "

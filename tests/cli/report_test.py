@@ -4,7 +4,7 @@ kind are valid by that schema.
 
 usage: report_test.py PROGRAM [--write]
 
---write makes the two files anew from the program. Exit status 77: no jsonschema to validate with.
+--write writes the two files. Exit status 77: no jsonschema to validate with.
 """
 import csv
 import json
@@ -15,7 +15,7 @@ import tempfile
 
 from interrupted import interrupted
 
-MACULA = sys.argv[1]
+MACULA = os.path.abspath(sys.argv[1])
 SOURCE = os.environ.get("MACULA_SOURCE", ".")
 DOCUMENTS = {"report.schema.json": (), "report.md": ("--page",)}
 SMALL = ("--size", "48x32", "--warmup", "0")
