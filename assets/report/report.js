@@ -9,17 +9,17 @@ const at = (point, ...keys) => keys.reduce((node, key) => node === null || node 
 // The table of metrics, as far as points have them; how a value of each is shown.
 const FORMATS = {bytes: value => `${shown(mebi(value))} MiB`, share: percent, ms: value => `${shown(value)} ms`,
   dB: value => `${shown(value)} dB`};
+// Times first, then errors.
+const rank = metric => metric.unit === 'ms' || metric.id === 'speedup' ? 0 : ['error', 'path'].includes(metric.path[0]) ? 1 : 2;
 const TABLE = data.metrics.map(metric => ({...metric, of: p => at(p, ...metric.path),
-  text: value => value === null ? '–' : (FORMATS[metric.unit] || shown)(value)}));
+  text: value => value === null ? '–' : (FORMATS[metric.unit] || shown)(value)})).sort((a, b) => rank(a) - rank(b));
 const metricOf = id => TABLE.find(metric => metric.id === id);
 const METRICS = TABLE.filter(metric => data.points.some(p => metric.of(p) !== null));
 const withUnit = metric => `${metric.title}, ${metric.unit}`;
 const TIMES = TABLE.filter(metric => metric.unit === 'ms');
-// What can stand on the vertical axis: lower is better there, as it is for times and bytes. Errors first.
-const ofImages = metric => ['error', 'path'].includes(metric.path[0]);
+// Choices of the vertical axis: lower is better there, as it is for times and bytes.
 const FAULTS = TABLE.filter(metric => metric.id === 'rmse' || METRICS.includes(metric))
-  .filter(metric => metric.better === 'lower' && !['ms', 'bytes'].includes(metric.unit))
-  .sort((a, b) => ofImages(b) - ofImages(a));
+  .filter(metric => metric.better === 'lower' && !['ms', 'bytes'].includes(metric.unit));
 const BASES = new Map(data.studies.map(s => [s.id, s.base]));
 // What a sweep varies, without what all its settings begin with: "r" of "lod.r".
 const sweptName = [...new Set(data.variants.filter(v => v.sweep).map(v => v.sweep.split('.').pop()))].join(', ');

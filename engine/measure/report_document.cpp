@@ -16,15 +16,15 @@ constexpr std::string_view kBegin =
 
 Made by `macula schema --page` from the table of metrics (`engine/measure/metrics.h`) and the keys of the report (`engine/measure/report_keys.h`); a test compares it with what the program prints. Do not edit it. [report.schema.json](report.schema.json) is the JSON Schema of `report.json` (draft 2020-12), from the same tables.
 
-One row of the table of metrics is written to all of these, as far as it applies:
+Every row of the table of metrics is written to all of these, as far as it applies:
 
-| file | from | a metric stands |
+| file | written by | place of a metric |
 |---|---|---|
 | `report.json` | `macula replay` | in each entry of `frames`; bytes once, as of the last frame; `summary` over all frames |
-| `results.json` | `macula chart` | in each entry of `points`: times as `median`, `p5` and `p95` over the rounds, all else as of the last round |
-| `results.csv` | `macula chart` | in a column, a line a point; targets name metrics by these columns |
+| `results.json` | `macula chart` | in each entry of `points`: `median`, `p5` and `p95` of times over the rounds, other metrics of the last round |
+| `results.csv` | `macula chart` | a column; one line for each point. Targets name metrics by these columns |
 | `report.html` | `macula chart` | in the table, in the numbers of a point, and in the choices of the axes |
-| `results.csv`, `results.json` | `macula hold` | in a column, a line a frame; `summary` over all frames |
+| `results.csv`, `results.json` | `macula hold` | a column, one line for each frame; `summary` over all frames |
 | the panel *Numbers*, `--json` | `macula walk` | of the last frame |
 
 )";
@@ -42,7 +42,7 @@ constexpr std::string_view kPlacesHead =
     R"(
 `ms.NAME` in `report.json` and in hold's `results.csv`, `ms.passes.NAME` in a chart, is the time of each pass in ms; transparency's passes begin with `oit.`, those of level of detail with `lod.`.
 
-## Where a metric stands
+## Where each metric is written
 
 | metric | `report.json` | `summary` | `results.csv` of a chart | its page | hold | walk |
 |---|---|---|---|---|---|---|
@@ -58,7 +58,7 @@ constexpr std::string_view kKeysHead =
 
 constexpr std::string_view kEnd =
     R"(
-An input is `{"name", "path", "sha256", "files": [{"path", "sha256"}]}`: as it was given, its file with the file's hash (null: it has none), and what was read along with it (null: the file is missing).
+An input is `{"name", "path", "sha256", "files": [{"path", "sha256"}]}`: its name as given, its file and the hash of that (null: no file), and the files that it refers to (null hash: missing).
 )";
 
 /// A cell of a table.
