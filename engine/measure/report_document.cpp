@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kBegin =
     R"(# Reports: every number, its unit and its meaning
 
-Made by `macula schema --page` from the table of metrics (`engine/measure/metrics.h`) and the keys of the report (`engine/measure/report_keys.h`); a test compares it with what the program prints. Do not edit it. [report.schema.json](report.schema.json) is the JSON Schema of `report.json` (draft 2020-12), from the same tables.
+Made from the table of metrics (`engine/measure/metrics.h`) and the keys of the report (`engine/measure/report_keys.h`); `MACULA_UPDATE=1 unit_tests --gtest_filter='Documents.*'` writes it. [report.schema.json](report.schema.json) is the JSON Schema of `report.json` (draft 2020-12), from the same tables.
 
 Every row of the table of metrics is written to all of these, as far as it applies:
 

@@ -19,7 +19,7 @@ struct RecordingNumbers {
   std::uint64_t unrecordedFrames = 0;  ///< drawn in between, and not recorded
   std::uint64_t hashesCompared = 0;
   std::uint64_t hashesEqual = 0;
-  std::optional<std::uint64_t> firstDifference;  ///< index of the frame
+  std::optional<std::uint64_t> firstDifference = {};  ///< index of the frame
 };
 
 struct RunRecord {

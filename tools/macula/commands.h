@@ -15,7 +15,6 @@ void addGazeStudy(CLI::App& gaze);
 void addHold(CLI::App& root);
 void addReplay(CLI::App& root);
 void addScene(CLI::App& root);
-void addSchema(CLI::App& root);
 #ifdef MACULA_WINDOW
 void addWalk(CLI::App& root);
 #endif

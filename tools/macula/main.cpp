@@ -37,7 +37,6 @@ int main(int argc, char** argv) {
     macula::tools::addGazeStudy(*root.get_subcommand("gaze"));
     macula::tools::addHold(root);
     macula::tools::addScene(root);
-    macula::tools::addSchema(root);
     macula::tools::addDevices(root);
     macula::settings::parseCommandLine(root, argc, argv);
     return 0;
