@@ -60,6 +60,7 @@ void setFragments(measure::FrameRecord& record, const passes::FrameResult& resul
     record.set("fragments.stored", f->stored);
     record.set("fragments.merged", f->merged);
     record.set("fragments.lost", f->lost);
+    record.set("tail_slots", result.tailSlots);
     record.set("fragments.loss", f->generated > 0 ? shareOf(f->lost, f->generated) : 0.0);
   }
   if (const auto& k = result.layers) {
