@@ -93,19 +93,19 @@ TEST_F(GltfFiles, ContentDecidesNotTheName) {
 }
 
 TEST_F(GltfFiles, ExternalBuffersAreFoundByDecodedUri) {
-  const std::string json = R"({"asset":{"version":"2.0"},
+  const std::string text = R"({"asset":{"version":"2.0"},
     "buffers":[{"uri":"my%20points.bin","byteLength":36}],
     "bufferViews":[{"buffer":0,"byteLength":36}],
     "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]})";
-  const fs::path file = write("a.gltf", json);
+  const fs::path file = write("a.gltf", text);
   EXPECT_SAYS(errorOf([&] { return loadGltf(file); }), "my%20points.bin' is missing");
   static_cast<void>(write("my points.bin", std::string(35, '\0')));
   EXPECT_SAYS(errorOf([&] { return loadGltf(file); }),
               "buffer 0: has 35 bytes where byteLength asks for 36");
   static_cast<void>(write("my points.bin", std::string(36, '\0')));
   EXPECT_EQ(describe(loadGltf(file)).triangles, 1U);
-  EXPECT_SAYS(messageOfText(json), "embed it");
+  EXPECT_SAYS(messageOfText(text), "embed it");
 }
 
 TEST(GltfContainer, MalformedBinariesAreRefused) {
