@@ -5,6 +5,8 @@
 namespace macula::passes {
 namespace {
 
+constexpr auto kReloads = settings::Effect::ReloadsScene;
+
 std::vector<std::string> methodNames() {
   std::vector<std::string> names;
   for (const Method& method : methods()) names.emplace_back(method.id);
@@ -118,7 +120,8 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                            s.tonemap.ssaa, {1, 2, 4});
   registry.add({.key = "scene.environment",
                 .alias = "environment",
-                .help = "equirectangular .hdr or .exr for light and background"},
+                .help = "equirectangular .hdr or .exr for light and background",
+                .effect = kReloads},
                s.environment);
   registry.add({.key = "scene.background",
                 .alias = "background",
@@ -127,16 +130,22 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                s.background, {.min = 0.0, .max = 10000.0});
   registry.addChoice(
       {.key = "scene.lighting",
-       .help = "transparent surfaces as the scene says, unlit, or lit by four lights"},
+       .help = "transparent surfaces as the scene says, unlit, or lit by four lights",
+       .effect = kReloads},
       s.lighting, {"own", "unlit", "four"});
   registry.add({.key = "scene.opacity",
                 .help = "below 1 every surface is transparent, its alpha multiplied by this",
-                .share = true},
+                .share = true,
+                .effect = kReloads},
                s.opacity, {.min = 0.0, .minExclusive = true, .max = 1.0});
   registry.addChoice({.key = "scene.order",
-                      .help = "in which transparent triangles are drawn, from the first camera"},
+                      .help = "in which transparent triangles are drawn, from the first camera",
+                      .effect = kReloads},
                      s.order, {"file", "near-first", "far-first", "random"});
-  registry.add({.key = "frame.seed", .alias = "seed", .help = "of noise and procedural scenes"},
+  registry.add({.key = "frame.seed",
+                .alias = "seed",
+                .help = "of noise and procedural scenes",
+                .effect = kReloads},
                s.seed, {.min = 0.0, .max = 2147483647.0});
   registry.add({.key = "shadow.size", .unit = "texels a side", .help = "of the shadow map"},
                s.shadow.size, {.min = 64.0, .max = 8192.0});

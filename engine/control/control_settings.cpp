@@ -14,6 +14,7 @@ LawOptions lawOptionsOf(const ControlSettings& settings) {
 }
 
 void registerSettings(settings::Registry& registry, ControlSettings& s) {
+  registry.setGroupEffect("control", settings::Effect::Immediate);
   constexpr double kMostMs = 10000.0;
   std::vector<std::string> laws{"off"};
   for (std::string& name : lawNames()) laws.push_back(std::move(name));

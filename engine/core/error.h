@@ -1,4 +1,4 @@
-// Errors that a user can mend. The program prints them as one line and exits with status 2.
+// Errors that a user can fix. The program prints them as one line and exits with status 2.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace macula {
 
 /// Bad input or a limit of the machine: what() is one line that names the file (or setting), the
-/// place in it, what is wrong and how to mend it. Never thrown for a mistake in Macula itself.
+/// place in it, what is wrong and how to fix it. Never thrown for a mistake in Macula itself.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message);

@@ -1,7 +1,6 @@
 // The experiment file as a whole, and its variants.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "engine/core/error.h"
 #include "engine/experiment/parse_target.h"
@@ -10,6 +9,8 @@
 
 namespace macula::experiment {
 namespace {
+
+using settings::TypedReader;
 
 constexpr int kLeastReportPixels = 32;
 constexpr int kMostReportPixels = 2048;
@@ -29,66 +30,56 @@ void requireId(const std::string& id, const std::string& place) {
 
 constexpr const char* kSweepForm = "one setting and its values, { lod.r = [1.25, 2, 4] }";
 
-std::vector<double> readSweepValues(const toml::array& list, const std::string& place) {
-  std::vector<double> values;
-  for (const toml::node& element : list) {
-    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value)) {
-      failInput("{}: sweep: takes {}, all of them finite numbers", place, kSweepForm);
-    }
-    if (std::find(values.begin(), values.end(), *value) != values.end()) {
-      failInput("{}: sweep: {:g} stands twice; keep one", place, *value);
-    }
-    values.push_back(*value);
-    if (values.size() > kMostSweepValues) {
-      failInput("{}: sweep: more than {} values; shorten the list", place, kMostSweepValues);
+std::vector<double> readSweepValues(TypedReader& reader, const std::string& key) {
+  const std::string place = reader.place(key);
+  const auto values = reader.get<std::vector<double>>(key, {}, kSweepForm);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto before = values.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(values.begin(), before, values[i]) != before) {
+      failInput("{}: sweep: {:g} stands twice; keep one", place, values[i]);
     }
   }
-  if (values.empty()) failInput("{}: sweep: takes {}", place, kSweepForm);
+  if (values.size() > kMostSweepValues) {
+    failInput("{}: sweep: more than {} values; shorten the list", place, kMostSweepValues);
+  }
   return values;
 }
 
-/// @param table { lod.r = [1, 2] } or { "lod.r" = [1, 2] }
-Sweep readSweep(const toml::table& table, const std::string& place) {
+/// @param reader of { lod.r = [1, 2] } or { "lod.r" = [1, 2] }
+Sweep readSweep(TypedReader reader, const std::string& place) {
   Sweep sweep;
   sweep.place = place;
-  const toml::table* inner = &table;
-  while (inner != nullptr) {
-    if (inner->size() != 1) failInput("{}: sweep: takes {}", place, kSweepForm);
-    const auto only = inner->begin();  // what it points to lives in the iterator
-    const auto& [key, node] = *only;
-    sweep.setting += (sweep.setting.empty() ? "" : ".") + std::string(key.str());
-    if (const toml::array* list = node.as_array()) {
-      sweep.values = readSweepValues(*list, place);
+  while (true) {
+    const std::vector<std::string> keys = reader.keys();
+    if (keys.size() != 1) failInput("{}: sweep: takes {}", place, kSweepForm);
+    sweep.setting += (sweep.setting.empty() ? "" : ".") + keys.front();
+    if (!reader.holdsTable(keys.front())) {
+      sweep.values = readSweepValues(reader, keys.front());
       return sweep;
     }
-    inner = node.as_table();
+    reader = reader.getTable(keys.front());
   }
-  failInput("{}: sweep: takes {}", place, kSweepForm);
 }
 
-Variant readVariant(const toml::table& table, const std::string& file) {
-  TableReader reader(table, file);
+Variant readVariant(TypedReader& reader) {
   Variant variant;
   variant.place = reader.place();
-  reader.require("id");
-  reader.text("id", variant.id);
+  variant.id = reader.get<std::string>("id");
   requireId(variant.id, variant.place);
   variant.label = variant.id;
-  reader.text("label", variant.label);
-  variant.settings = reader.table("settings");
-  reader.flag("budgets", variant.budgets);
+  reader.take("label", variant.label);
+  variant.settings = reader.table("settings").toml();
+  reader.take("budgets", variant.budgets);
   if (reader.has("oracle")) {
-    const std::vector<std::string> names{"optimal-k", "least-rmse", "least-rmse-tail"};
-    std::size_t index = 0;
-    reader.choice("oracle", index, names);
+    const std::size_t index =
+        reader.getChoice("oracle", {"optimal-k", "least-rmse", "least-rmse-tail"});
     variant.oracle = static_cast<Oracle>(index + 1);
-    if (reader.has("settings") || !variant.budgets) {
+    if (variant.settings != nullptr || !variant.budgets) {
       failInput("{}: an oracle takes no settings, and needs budgets = true", variant.place);
     }
   }
-  if (const toml::table* sweep = reader.table("sweep")) {
-    variant.sweep = readSweep(*sweep, reader.place("sweep"));
+  if (reader.has("sweep")) {
+    variant.sweep = readSweep(reader.getTable("sweep"), reader.place("sweep"));
     if (variant.budgets) {
       failInput("{}: sweep: variant '{}' is measured at budgets already; keep one of the two",
                 variant.sweep->place, variant.id);
@@ -98,16 +89,14 @@ Variant readVariant(const toml::table& table, const std::string& file) {
   return variant;
 }
 
-Study readStudy(const toml::table& table, const std::string& file, const Study& defaults) {
-  TableReader reader(table, file);
+Study readStudy(TypedReader& reader, const Study& defaults) {
   Study study = defaults;
   study.place = reader.place();
-  reader.require("id");
-  reader.text("id", study.id);
+  study.id = reader.get<std::string>("id");
   requireId(study.id, study.place);
   study.title = study.id;
-  reader.text("title", study.title);
-  reader.texts("variants", study.variants);
+  reader.take("title", study.title);
+  reader.take("variants", study.variants);
   readStudyKeys(reader, study);
   reader.finish();
   return study;
@@ -130,29 +119,25 @@ Experiment parseExperiment(const std::string& text, const std::string& name) {
   experiment.name = name;
   experiment.text = text;
   experiment.document = std::make_shared<const toml::table>(settings::parseToml(text, name));
-  TableReader reader(*experiment.document, name);
-  reader.require("title");
-  reader.text("title", experiment.title);
-  reader.text("description", experiment.description);
-  reader.number("difference_scale", experiment.differenceScale, 1.0, 256.0);
-  reader.integer("report_pixels", experiment.reportPixels, kLeastReportPixels, kMostReportPixels);
+  TypedReader reader(settings::DataNode(*experiment.document), name);
+  experiment.title = reader.get<std::string>("title");
+  reader.take("description", experiment.description);
+  reader.take("difference_scale", experiment.differenceScale, {.min = 1.0, .max = 256.0});
+  reader.take("report_pixels", experiment.reportPixels,
+              {.min = kLeastReportPixels, .max = kMostReportPixels}, "pixels");
   Study defaults;
   defaults.place = reader.place();
   readStudyKeys(reader, defaults);
-  const auto variantTables = reader.tables("variant");
-  const auto studyTables = reader.tables("study");
-  const auto targetTables = reader.tables("target");
+  auto variants = reader.tables("variant");
+  auto studies = reader.tables("study");
+  auto targets = reader.tables("target");
   reader.finish();  // before anything is found missing that was only misspelt
-  for (const toml::table* variant : variantTables) {
-    experiment.variants.push_back(readVariant(*variant, name));
-  }
+  for (TypedReader& variant : variants) experiment.variants.push_back(readVariant(variant));
   if (experiment.variants.empty()) {
     failInput("{}: no variants; add [[variant]] with an id and settings", reader.place());
   }
   requireUniqueIds(experiment.variants, "variant");
-  for (const toml::table* study : studyTables) {
-    experiment.studies.push_back(readStudy(*study, name, defaults));
-  }
+  for (TypedReader& study : studies) experiment.studies.push_back(readStudy(study, defaults));
   if (experiment.studies.empty()) {
     defaults.id = "all";
     defaults.title = experiment.title;
@@ -160,8 +145,8 @@ Experiment parseExperiment(const std::string& text, const std::string& name) {
   }
   requireUniqueIds(experiment.studies, "study");
   for (Study& study : experiment.studies) completeStudy(study, experiment.variants);
-  for (const toml::table* target : targetTables) {
-    experiment.targets.push_back(readTarget(*target, experiment));
+  for (TypedReader& target : targets) {
+    experiment.targets.push_back(readTarget(target, experiment));
   }
   return experiment;
 }

@@ -12,12 +12,11 @@ namespace macula::experiment {
 namespace {
 
 using Kind = Target::Kind;
+using settings::TypedReader;
 
 /// "<= 1.25"
-void readLimit(TableReader& reader, Target& target) {
-  std::string text;
-  reader.require("limit");
-  reader.text("limit", text);
+void readLimit(TypedReader& reader, Target& target) {
+  const auto text = reader.get<std::string>("limit");
   const bool upper = text.starts_with("<=");
   const bool lower = text.starts_with(">=");
   std::size_t at = upper || lower ? 2 : 1;
@@ -35,16 +34,20 @@ void readLimit(TableReader& reader, Target& target) {
 }
 
 /// Any metric of results.csv; times of passes go by names that only a frame knows.
-void readMetric(TableReader& reader, const char* key, std::string& metric) {
-  reader.text(key, metric);
-  if (metric.empty() || metric.starts_with("ms.passes.")) return;
-  requireKnown(metric, metricNames(), "metric", reader.place(key));
+void requireMetric(const std::string& metric, const std::string& place) {
+  if (!metric.starts_with("ms.passes.")) requireKnown(metric, metricNames(), "metric", place);
+}
+
+void takeMetric(TypedReader& reader, const char* key, std::string& metric) {
+  if (!reader.has(key)) return;
+  metric = reader.get<std::string>(key);
+  requireMetric(metric, reader.place(key));
 }
 
 /// Reads `at` or `against_at`, which names a point of a swept variant.
-void readAt(TableReader& reader, const char* key, const Variant& variant,
+void readAt(TypedReader& reader, const char* key, const Variant& variant,
             std::optional<double>& value) {
-  reader.number(key, value);
+  reader.take(key, value);
   if (!value) return;
   if (!variant.sweep) {
     failInput("{}: {}: variant '{}' has no sweep; leave it out", reader.place(key), key,
@@ -59,11 +62,9 @@ void readAt(TableReader& reader, const char* key, const Variant& variant,
 }
 
 /// What only curves say, checked.
-void readCurve(TableReader& reader, const Experiment& experiment, Target& target) {
-  readMetric(reader, "cost", target.cost);
-  std::size_t statistic = 0;
-  reader.choice("statistic", statistic, {"least", "mean"});
-  target.statistic = static_cast<Target::Statistic>(statistic);
+void readCurve(TypedReader& reader, const Experiment& experiment, Target& target) {
+  takeMetric(reader, "cost", target.cost);
+  reader.takeChoice("statistic", target.statistic, {"least", "mean"});
   if (target.metric != "psnr_db") {
     failInput("{}: metric: curves are of psnr_db; give that, or another kind",
               reader.place("metric"));
@@ -80,7 +81,7 @@ void readCurve(TableReader& reader, const Experiment& experiment, Target& target
 }
 
 /// Which points of swept variants a target is about.
-void readPoints(TableReader& reader, const Experiment& experiment, Target& target) {
+void readPoints(TypedReader& reader, const Experiment& experiment, Target& target) {
   const bool order = target.kind == Kind::Order;
   readAt(reader, "at", experiment.variant(order ? target.against.front() : target.of), target.at);
   if (!target.divides()) return;
@@ -104,26 +105,24 @@ std::vector<std::string> idsOf(const auto& elements) {
 }
 
 /// Whom and which numbers a target is about.
-void readSubject(TableReader& reader, const Experiment& experiment, Target& target) {
+void readSubject(TypedReader& reader, const Experiment& experiment, Target& target) {
   const std::vector<std::string> variants = idsOf(experiment.variants);
-  reader.require("metric");
-  readMetric(reader, "metric", target.metric);
+  target.metric = reader.get<std::string>("metric");
+  requireMetric(target.metric, reader.place("metric"));
   if (target.kind != Kind::Order) {
-    reader.require("of");
-    reader.text("of", target.of);
+    target.of = reader.get<std::string>("of");
     requireKnown(target.of, variants, "variant", reader.place("of"));
     readLimit(reader, target);
   }
   if (target.kind != Kind::Value) {
     const char* key = target.kind == Kind::Order ? "order" : "against";
-    reader.require(key);
-    reader.textOrTexts(key, target.against);
+    target.against = reader.getTexts(key);
     for (const std::string& id : target.against) {
       requireKnown(id, variants, "variant", reader.place(key));
     }
   }
-  if (target.divides()) readMetric(reader, "against_metric", target.againstMetric);
-  if (target.kind == Kind::Value) reader.flag("unless_all_stored", target.unlessAllStored);
+  if (target.divides()) takeMetric(reader, "against_metric", target.againstMetric);
+  if (target.kind == Kind::Value) reader.take("unless_all_stored", target.unlessAllStored);
   if (target.kind == Kind::Curve) {
     readCurve(reader, experiment, target);
   } else {
@@ -133,18 +132,14 @@ void readSubject(TableReader& reader, const Experiment& experiment, Target& targ
 
 }  // namespace
 
-Target readTarget(const toml::table& table, const Experiment& experiment) {
-  TableReader reader(table, experiment.name);
+Target readTarget(settings::TypedReader& reader, const Experiment& experiment) {
   Target target;
-  reader.require("name");
-  reader.text("name", target.name);
-  reader.text("papers", target.papers);
-  std::size_t kind = 0;
-  reader.require("kind");
-  reader.choice("kind", kind, {"ratio", "order", "value", "curve", "mean"});
-  target.kind = static_cast<Kind>(kind);
+  target.name = reader.get<std::string>("name");
+  reader.take("papers", target.papers);
+  target.kind =
+      static_cast<Kind>(reader.getChoice("kind", {"ratio", "order", "value", "curve", "mean"}));
   readSubject(reader, experiment, target);
-  reader.texts("studies", target.studies);
+  reader.take("studies", target.studies);
   for (const std::string& id : target.studies) {
     requireKnown(id, idsOf(experiment.studies), "study", reader.place("studies"));
   }
@@ -152,12 +147,12 @@ Target readTarget(const toml::table& table, const Experiment& experiment) {
   for (const Study& study : experiment.studies) {
     scenes.insert(scenes.end(), study.scenes.begin(), study.scenes.end());
   }
-  reader.texts("scenes", target.scenes);
+  reader.take("scenes", target.scenes);
   for (const std::string& scene : target.scenes) {
     requireKnown(scene, scenes, "scene", reader.place("scenes"));
   }
-  reader.texts("lights", target.lights);
-  reader.texts("budgets", target.budgets);
+  reader.take("lights", target.lights);
+  reader.take("budgets", target.budgets);
   reader.finish();
   return target;
 }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "engine/experiment/experiment.h"
+#include "engine/settings/typed_reader.h"
 
 namespace macula::experiment {
 
 /// Reads a [[target]] of an experiment whose variants and studies are read.
 /// @throws InputError naming the place, see parseExperiment()
-[[nodiscard]] Target readTarget(const toml::table& table, const Experiment& experiment);
+[[nodiscard]] Target readTarget(settings::TypedReader& reader, const Experiment& experiment);
 
 }  // namespace macula::experiment

@@ -12,7 +12,7 @@ namespace macula::experiment {
 namespace {
 
 constexpr int kMaxSide = 16384;  ///< as --size
-constexpr std::int64_t kMaxSeed = 2147483647;
+constexpr double kMaxSeed = 2147483647;
 constexpr int kMaxFrames = 10000;
 constexpr double kLeastPathFps = 0.01;  ///< slower than this, frames have nothing in common
 constexpr double kMostPathFps = 1000.0;
@@ -39,21 +39,19 @@ Size parseSize(const std::string& text, const std::string& place) {
   return size;
 }
 
-Budget readBudget(const toml::table& table, std::string_view file) {
-  TableReader reader(table, file);
+Budget readBudget(settings::TypedReader& reader) {
   Budget budget;
   int kinds = 0;
   const auto take = [&](const char* key, Budget::Kind kind, double most) {
-    if (reader.has(key)) {
-      ++kinds;
-      budget.kind = kind;
-    }
-    reader.number(key, budget.value, kLeastBudget, most);
+    if (!reader.has(key)) return;
+    ++kinds;
+    budget.kind = kind;
+    budget.value = reader.get<double>(key, {.min = kLeastBudget, .max = most});
   };
   take("k_ave", Budget::Kind::KAve, kMostKAve);
   take("mib", Budget::Kind::MiB, kMostMiB);
   take("share", Budget::Kind::Share, 1.0);
-  reader.texts("scenes", budget.scenes);
+  reader.take("scenes", budget.scenes);
   reader.finish();
   if (kinds != 1) {
     failInput("{}: a budget is one of {{ k_ave = 2 }}, {{ mib = 35 }} and {{ share = 0.3 }}",
@@ -137,7 +135,7 @@ bool holds(const std::vector<std::string>& list, const std::string& id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
 
-/// Points without a budget take turns, so a sweep's renderers live together with all of them.
+/// Points without a budget are interleaved, so a sweep's renderers live together with all of them.
 void requireRoomForSweeps(const Study& study, const std::vector<Variant>& variants) {
   if (study.comparesByList) return;
   std::size_t together = 0;
@@ -149,13 +147,13 @@ void requireRoomForSweeps(const Study& study, const std::vector<Variant>& varian
   }
   if (swept && together > kMostTogether) {
     failInput(
-        "{}: its sweeps make {} renderers that live at the same time, more than {}; name the "
-        "variants that take turns in compare, or shorten the sweeps",
+        "{}: its sweeps make {} renderers that live at the same time, more than {}; name "
+        "those to interleave in compare, or shorten the sweeps",
         study.place, together, kMostTogether);
   }
 }
 
-/// The base must be one point, and every curve must take turns with it.
+/// The base must be one point, and every curve must be interleaved with it.
 void requireBase(const Study& study, const std::vector<Variant>& variants) {
   if (study.base.empty()) return;
   requireKnown(study.base, study.variants, "base variant", study.place);
@@ -169,7 +167,7 @@ void requireBase(const Study& study, const std::vector<Variant>& variants) {
   for (const std::string& id : study.variants) {
     if (variantOf(variants, id).sweep && !holds(list, id)) {
       failInput(
-          "{}: variant '{}' does not take turns with the base '{}'; name both in one list of "
+          "{}: variant '{}' is not interleaved with the base '{}'; name both in one list of "
           "compare",
           study.place, id, base.id);
     }
@@ -185,38 +183,38 @@ void requireKnown(const std::string& name, const std::vector<std::string>& known
             nearestName(name, known));
 }
 
-void readStudyKeys(TableReader& reader, Study& study) {
-  reader.texts("scenes", study.scenes);
-  reader.texts("optional_scenes", study.optionalScenes);
-  std::vector<std::string> sizes;
-  reader.texts("sizes", sizes);
-  if (!sizes.empty()) study.sizes.clear();
-  for (const std::string& size : sizes) {
-    study.sizes.push_back(parseSize(size, reader.place("sizes")));
+void readStudyKeys(settings::TypedReader& reader, Study& study) {
+  reader.take("scenes", study.scenes);
+  reader.take("optional_scenes", study.optionalScenes);
+  if (const auto sizes = reader.find<std::vector<std::string>>("sizes")) {
+    study.sizes.clear();
+    for (const std::string& size : *sizes) {
+      study.sizes.push_back(parseSize(size, reader.place("sizes")));
+    }
   }
-  reader.integers("seeds", study.seeds, 0, kMaxSeed);
-  reader.texts("lights", study.lights);
-  reader.text("camera", study.camera);
-  reader.text("gaze", study.gaze);
-  reader.text("base", study.base);
-  reader.integer("frames", study.frames, 1, kMaxFrames);
-  reader.integer("path_frames", study.pathFrames, 0, kMaxFrames);
+  reader.take("seeds", study.seeds, {.min = 0.0, .max = kMaxSeed});
+  reader.take("lights", study.lights);
+  reader.take("camera", study.camera);
+  reader.take("gaze", study.gaze);
+  reader.take("base", study.base);
+  reader.take("frames", study.frames, {.min = 1.0, .max = kMaxFrames});
+  reader.take("path_frames", study.pathFrames, {.min = 0.0, .max = kMaxFrames});
   if (study.pathFrames == 1) {
     failInput("{}: path_frames: one frame has no change to the next; give 0 for none, or 2 or more",
               reader.place("path_frames"));
   }
-  reader.number("path_fps", study.pathFps, kLeastPathFps, kMostPathFps);
-  reader.flag("flip_maps", study.flipMaps);
-  reader.number("pixels_per_degree", study.pixelsPerDegree, kLeastPixelsPerDegree,
-                kMostPixelsPerDegree);
-  reader.textLists("compare", study.compare);
+  reader.take("path_fps", study.pathFps, {.min = kLeastPathFps, .max = kMostPathFps}, "frames/s");
+  reader.take("flip_maps", study.flipMaps);
+  reader.take("pixels_per_degree", study.pixelsPerDegree,
+              {.min = kLeastPixelsPerDegree, .max = kMostPixelsPerDegree});
+  reader.take("compare", study.compare);
   if (reader.has("budgets")) study.budgets.clear();
-  const std::string place = reader.place();
-  const std::string file = place.substr(0, place.rfind(':'));
-  for (const toml::table* table : reader.tables("budgets")) {
-    study.budgets.push_back(readBudget(*table, file));
+  for (settings::TypedReader& budget : reader.tables("budgets")) {
+    study.budgets.push_back(readBudget(budget));
   }
-  if (const toml::table* settings = reader.table("settings")) study.settings.push_back(settings);
+  if (const toml::table* settings = reader.table("settings").toml()) {
+    study.settings.push_back(settings);
+  }
 }
 
 void completeStudy(Study& study, const std::vector<Variant>& variants) {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "engine/experiment/experiment.h"
-#include "engine/experiment/table_reader.h"
+#include "engine/settings/typed_reader.h"
 
 namespace macula::experiment {
 
 /// Reads the keys that a study and the experiment's top level share into `study`, whose present
 /// values stand where a key is missing.
-void readStudyKeys(TableReader& reader, Study& study);
+void readStudyKeys(settings::TypedReader& reader, Study& study);
 
 /// Fills what may be left out and checks the names.
 /// @throws InputError naming the study's place

@@ -21,12 +21,6 @@ void ClockFit::restart(double deviceSeconds, double hostSeconds) {
 
 void ClockFit::add(double deviceSeconds, double hostSeconds) {
   if (!std::isfinite(deviceSeconds) || !std::isfinite(hostSeconds)) return;
-  if (pairs_ > 0 && deviceSeconds == lastDevice_) ++repeats_;
-  if (++pairs_ > kJudgedPairs) {
-    pairs_ /= 2;
-    repeats_ /= 2;
-  }
-  lastDevice_ = deviceSeconds;
   if (!started_) return restart(deviceSeconds, hostSeconds);
   const double device = deviceSeconds - firstDevice_;
   const double delay = hostSeconds - deviceSeconds - base_;
@@ -105,11 +99,6 @@ void ClockFit::fit() {
 std::optional<double> ClockFit::toHost(double deviceSeconds) const {
   if (!started_) return std::nullopt;
   return deviceSeconds + base_ + intercept_ + slope_ * (deviceSeconds - firstDevice_);
-}
-
-bool ClockFit::usable() const {
-  return pairs_ >= kFewestPairs &&
-         static_cast<double>(repeats_) <= kMostRepeats * static_cast<double>(pairs_);
 }
 
 double ClockFit::driftPpm() const {

@@ -11,7 +11,8 @@ namespace macula::gaze {
 /// time and the host time at which it arrived. A sample arrives late, never early, so of each
 /// second only the pair with the least delay counts (Cristian 1989: the quickest answer tells the
 /// time best); the line is fitted to those by least squares. A constant part of the delay cannot be
-/// told from an offset: the fit takes the quickest arrival for the moment of measurement.
+/// told from an offset: the fit takes the quickest arrival for the moment of measurement. Whether
+/// the device's times can be believed at all is ClockJudge's to say.
 class ClockFit {
  public:
   /// Seconds of device time of which the quickest arrival is kept.
@@ -20,17 +21,10 @@ class ClockFit {
   static constexpr std::size_t kBlocks = 60;
   /// Fewer blocks give the offset alone: over a few seconds jitter looks like drift.
   static constexpr std::size_t kBlocksForDrift = 10;
-  /// A device clock that steps back, or leaves the fit by more than this, has been set anew.
+  /// A device clock that steps back, or leaves the fit by more than this, has been set.
   static constexpr double kRestartSeconds = 1.0;
-
   /// A block that lies farther off the line was stepped: no driver is late by as much for a second.
   static constexpr double kStepSeconds = 0.050;
-  /// Of more pairs than this, the older half counts half.
-  static constexpr std::size_t kJudgedPairs = 1000;
-  /// Pairs before repeats are judged, and the share of repeated device times above which its clock
-  /// is too coarse for its samples: some drivers count whole seconds.
-  static constexpr std::size_t kFewestPairs = 10;
-  static constexpr double kMostRepeats = 0.1;
 
   ClockFit();
 
@@ -40,16 +34,13 @@ class ClockFit {
   /// Host time at which the sample was taken, by the fit; nothing before the first pair.
   [[nodiscard]] std::optional<double> toHost(double deviceSeconds) const;
 
-  /// Whether the device's clock tells its samples apart; without that, go by their arrival.
-  [[nodiscard]] bool usable() const;
-
   /// Host time minus device time at the first pair since the last restart, in seconds.
   [[nodiscard]] double offsetSeconds() const { return base_ + intercept_; }
   /// How much faster the host's clock runs, in parts per million.
   [[nodiscard]] double driftPpm() const;
   /// Root mean square distance of the kept pairs from the line, in seconds.
   [[nodiscard]] double residualSeconds() const { return residual_; }
-  /// Times that the device's clock was found to be set anew.
+  /// Times that the device's clock was found to have been set.
   [[nodiscard]] std::size_t restarts() const { return restarts_; }
 
  private:
@@ -72,9 +63,6 @@ class ClockFit {
   double slope_ = 0.0;
   double residual_ = 0.0;
   std::size_t restarts_ = 0;
-  std::size_t pairs_ = 0;
-  std::size_t repeats_ = 0;  ///< pairs whose device time is that of the pair before
-  double lastDevice_ = 0.0;
 };
 
 }  // namespace macula::gaze

@@ -28,7 +28,7 @@ struct Coordinates {
 class CoordinateMapper {
  public:
   /// @param where begins messages: file and line
-  /// @throws InputError where unit or origin are known to nobody, or contradict each other
+  /// @throws InputError where unit or origin are unknown or contradict each other
   CoordinateMapper(const Coordinates& coordinates, const LogOptions& options, std::string where);
 
   /// Takes the size from the file, unless a setting gave one.
@@ -36,7 +36,7 @@ class CoordinateMapper {
   /// Of what the pixels are, where only the rows tell. @param of a literal
   void setOf(std::string_view of) { coordinates_.of = of; }
 
-  /// @returns why no place can be mapped yet and the mend: pixels of something of unknown size
+  /// @returns why no place can be mapped yet, and the fix: pixels of something of unknown size
   [[nodiscard]] std::optional<std::string> lack() const;
 
   /// 0..1; nothing where the place is a code for no place: (0, 0) unless that is the middle, -1280

@@ -26,7 +26,7 @@ class RecordedDisplay {
  public:
   /// Width and height; ignored where no display has them.
   void setSize(const glm::dvec2& millimetres);
-  /// One distance of the eyes; ignored where nobody sits so near or so far (codes for no eye).
+  /// One distance of the eyes; ignored where no viewer sits so near or so far (codes for no eye).
   void noteDistance(double millimetres);
 
   [[nodiscard]] const std::optional<glm::dvec2>& sizeMm() const { return sizeMm_; }
@@ -40,7 +40,7 @@ class RecordedDisplay {
 };
 
 /// The display that degrees are computed with, and who said its size and distance: "setting",
-/// "file", or "assumed" where nobody did.
+/// "file", or "assumed" where neither did.
 struct KnownDisplay {
   Display display;
   std::string_view sizeBy = "assumed";

@@ -48,6 +48,8 @@ LogOptions logOptionsOf(const GazeSettings& settings) {
 }
 
 void registerSettings(settings::Registry& registry, GazeSettings& settings) {
+  registry.setGroupEffect("gaze", settings::Effect::ReopensGaze);
+  registry.setGroupEffect("display", settings::Effect::ReopensGaze);
   registerSettings(registry, settings.log);
   registerPipeline(registry, settings.pipeline);
   registry.add({.key = "gaze.latencyMs",

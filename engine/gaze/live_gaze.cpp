@@ -50,8 +50,9 @@ void LiveGaze::learnInterval(double timeSeconds) {
 GazeSample LiveGaze::toWindow(const DeviceSample& sample) {
   double host = sample.hostSeconds;
   if (sample.deviceSeconds) {
+    judge_.add(*sample.deviceSeconds, sample.hostSeconds);
     clock_.add(*sample.deviceSeconds, sample.hostSeconds);
-    if (clock_.usable()) {
+    if (judge_.believes()) {
       const double taken = clock_.toHost(*sample.deviceSeconds).value_or(host);
       host = std::clamp(taken, host - kOldestSeconds, host);
     }
@@ -102,12 +103,17 @@ SourceStatus LiveGaze::status() const {
     status.lostShare = 1.0 - static_cast<double>(valid_) / static_cast<double>(count_);
   }
   status.message = reader_.message();
-  if (clock_.usable()) status.clock = clock();
+  if (judge_.believes()) {
+    status.clock = ClockReport{.offsetSeconds = clock_.offsetSeconds(),
+                               .driftPpm = clock_.driftPpm(),
+                               .residualSeconds = clock_.residualSeconds(),
+                               .restarts = clock_.restarts()};
+  }
+  if (judge_.verdict() == ClockJudge::Verdict::Wrong) {
+    status.message += status.message.empty() ? "" : "; ";
+    status.message += "its timestamps do not follow the time, so those of the host are used";
+  }
   return status;
-}
-
-ClockReport LiveGaze::clock() const {
-  return {clock_.offsetSeconds(), clock_.driftPpm(), clock_.residualSeconds(), clock_.restarts()};
 }
 
 }  // namespace macula::gaze

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/gaze/clock_fit.h"
+#include "engine/gaze/clock_judge.h"
 #include "engine/gaze/display_mapping.h"
 #include "engine/gaze/gaze_settings.h"
 #include "engine/gaze/source.h"
@@ -59,7 +60,6 @@ class LiveGaze final : public GazeSource {
   [[nodiscard]] PointOfInterest at(double timeSeconds) override;
   [[nodiscard]] std::string name() const override { return reader_.name(); }
   [[nodiscard]] SourceStatus status() const override;
-  [[nodiscard]] ClockReport clock() const;
 
  private:
   struct Recent {
@@ -80,6 +80,7 @@ class LiveGaze final : public GazeSource {
   Display display_;  ///< whole
   double hostStart_;
   WindowPlacement placement_;
+  ClockJudge judge_;
   ClockFit clock_;
   PointOfInterestTracker tracker_;
   SampleListener listener_;

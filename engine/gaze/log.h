@@ -16,7 +16,7 @@
 
 namespace macula::gaze {
 
-/// A position that nobody measured.
+/// A position that was not measured.
 inline constexpr glm::dvec2 kNoPosition{std::numeric_limits<double>::quiet_NaN()};
 
 /// One reading of the tracker.
@@ -76,7 +76,7 @@ struct GazeCounters {
   std::size_t blinks = 0;          ///< blinks that the file marks, of each eye
   std::size_t saccades = 0;        ///< saccades that the file marks, of each eye
   std::size_t blocks = 0;          ///< recordings in one file, where it marks them
-  std::size_t clockRestarts = 0;   ///< times that the file's clock began anew and was carried on
+  std::size_t clockRestarts = 0;   ///< times that the file's clock began again and was continued
 };
 
 /// A gaze log without its samples. While a log is being read, what is known so far.
@@ -100,7 +100,7 @@ struct GazeLog : GazeLogHead {
 
 /// Reads a whole gaze log, line by line and without regard to the locale; see log_reader.h for logs
 /// that are larger than the memory.
-/// @throws InputError naming file, line and mend where the file cannot be read, is no gaze log,
+/// @throws InputError naming file, line and fix where the file cannot be read, is no gaze log,
 ///   holds no sample, or holds a row that cannot be understood. A last row that was cut off is
 ///   counted instead.
 [[nodiscard]] GazeLog readGazeLog(const std::filesystem::path& path,

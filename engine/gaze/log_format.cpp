@@ -67,7 +67,7 @@ const LogFormat& formatFor(std::string_view header, const LogContext& context) {
   const auto recognises = [&](const LogFormat& format) {
     return format.recognises(header, context);
   };
-  // A header that nobody knows may still be read by the format that a person names.
+  // A header that no format knows may still be read by the format that a person names.
   if (named != kFormats.end() && recognises(*named)) return *named;
   const auto shown = std::find_if(kFormats.begin(), kFormats.end(), recognises);
   if (named != kFormats.end() && shown == kFormats.end()) return *named;

@@ -46,7 +46,7 @@ class LogParser {
 
   /// Takes one row.
   /// @param sample is filled in where the row is one; it comes in its default state
-  /// @param problem is set where the row is wrong: what is wrong and how to mend it
+  /// @param problem is set where the row is wrong: what is wrong and how to fix it
   [[nodiscard]] virtual Row row(std::string_view text, GazeSample& sample,
                                 std::string& problem) = 0;
 };

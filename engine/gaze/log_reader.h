@@ -33,7 +33,7 @@ class GazeLogReader {
 
   /// Takes the next sample, in the order of the file.
   /// @returns false at the end
-  /// @throws InputError naming file, line and mend where a row cannot be understood and is not the
+  /// @throws InputError naming file, line and fix where a row cannot be understood and is not the
   ///   last, or the file ends without one sample
   [[nodiscard]] bool next(GazeSample& sample);
 

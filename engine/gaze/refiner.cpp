@@ -34,7 +34,7 @@ glm::dvec2 GazeRefiner::refine(double timeSeconds, const glm::dvec2& place) {
   detector_.observe(timeSeconds, degrees);
   glm::dvec2 refined = place;
   if (detector_.inSaccade()) {
-    // Smoothing would drag the point behind the eye; it starts anew where the eye comes to rest.
+    // Smoothing would drag the point behind the eye; it starts again where the eye comes to rest.
     filter_.reset();
     if (predicts_) refined = placeOf(predictor_.moving(timeSeconds, degrees));
   } else {

@@ -118,7 +118,7 @@ class ReplayGaze final : public GazeSource {
 
 /// Makes a source from what --gaze names: `center`, `x,y` (each 0..1 of the window), or a log file.
 /// @param settings for logs; a fixed point is known at once and exactly
-/// @throws InputError naming the mend
+/// @throws InputError naming the fix
 [[nodiscard]] std::unique_ptr<GazeSource> parseGazeSpec(const std::string& spec,
                                                         const GazeSettings& settings = {});
 

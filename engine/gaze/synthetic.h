@@ -1,4 +1,4 @@
-// A made-up gaze log that behaves like a real one, for demos and tests. Never a stand-in for
+// A synthetic gaze log that behaves like a real one, for demos and tests. Never a stand-in for
 // people.
 #pragma once
 

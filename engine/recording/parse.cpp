@@ -1,148 +1,161 @@
 #include "engine/recording/parse.h"
 
 #include <array>
-#include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <limits>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/recording/json_fields.h"
 #include "engine/recording/text.h"
+#include "engine/settings/typed_reader.h"
 
 namespace macula::recording {
 namespace {
 
+using settings::Range;
+using settings::TypedReader;
+
 /// A frame takes some 600 bytes, with every setting changed about 2,500.
 constexpr std::size_t kLongestLine = 1U << 20U;
 
-std::string parseSha256(Fields& fields, const std::string& key, bool mayBeNull) {
-  const std::string hex = mayBeNull ? fields.textOrNull(key) : fields.text(key);
+/// What to do about a text that is damaged.
+constexpr const char* kAdvice = "restore the file as it was recorded";
+
+std::string parseSha256(TypedReader& reader, const std::string& key) {
+  const std::string hex = reader.textOrNull(key);
   constexpr std::size_t kDigits = 64;
   const bool good =
       hex.size() == kDigits && hex.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!good && !(mayBeNull && hex.empty())) fields.fail(key, "is no SHA-256 of 64 hex digits");
+  if (!good && !hex.empty()) reader.fail(key, "is no SHA-256 of 64 hex digits");
   return hex;
 }
 
-SceneSource parseScene(Fields fields) {
+SceneSource parseScene(TypedReader reader) {
   SceneSource scene;
-  scene.name = fields.text("name");
-  if (scene.name.empty()) fields.fail("name", "is empty");
-  scene.file = fields.textOrNull("file");
-  scene.sha256 = parseSha256(fields, "sha256", true);
-  if (scene.file.empty() != scene.sha256.empty()) fields.fail("sha256", "and 'file' go together");
-  fields.refuseOthers();
+  scene.name = reader.get<std::string>("name");
+  scene.file = reader.textOrNull("file");
+  scene.sha256 = parseSha256(reader, "sha256");
+  if (scene.file.empty() != scene.sha256.empty()) reader.fail("sha256", "and 'file' go together");
+  reader.finish();
   return scene;
 }
 
-Settings parseSettings(Fields fields) {
+Settings parseSettings(TypedReader reader) {
   Settings settings;
-  for (const std::string& key : fields.keys()) settings.emplace_back(key, fields.setting(key));
+  for (const std::string& key : reader.keys()) {
+    settings.emplace_back(key, reader.get<settings::Value>(key));
+  }
   return settings;
 }
 
-scene::Camera parseCamera(Fields fields) {
+scene::Camera parseCamera(TypedReader reader) {
   scene::Camera camera;
-  camera.position = fields.vector("position");
-  camera.target = fields.vector("target");
-  camera.up = fields.vector("up");
-  camera.verticalFov = fields.single("vfov");
-  camera.nearPlane = fields.single("near");
-  camera.farPlane = fields.single("far");
+  camera.position = reader.get<glm::vec3>("position");
+  camera.target = reader.get<glm::vec3>("target");
+  camera.up = reader.get<glm::vec3>("up");
+  constexpr Range kPositive{.min = 0.0, .minExclusive = true};
+  camera.verticalFov = reader.get<float>(
+      "vfov", {.min = 0.0, .minExclusive = true, .max = glm::pi<float>(), .maxExclusive = true},
+      "radians");
+  camera.nearPlane = reader.get<float>("near", kPositive, "m");
+  camera.farPlane = reader.get<float>("far", kPositive, "m");
+  // Rounding to float may have crossed a bound.
   if (!(camera.verticalFov > 0.0F && camera.verticalFov < glm::pi<float>())) {
-    fields.fail("vfov", "is no angle between 0 and pi");
+    reader.fail("vfov", "is no angle between 0 and pi");
   }
-  if (!(camera.nearPlane > 0.0F)) fields.fail("near", "is not > 0");
-  if (!(camera.farPlane > camera.nearPlane && camera.farPlane < HUGE_VALF)) {
-    fields.fail("far", "is not beyond 'near'");
-  }
-  fields.refuseOthers();
+  if (!(camera.nearPlane > 0.0F)) reader.fail("near", "is not > 0");
+  if (!(camera.farPlane > camera.nearPlane)) reader.fail("far", "is not beyond 'near'");
+  reader.finish();
   return camera;
 }
 
-gaze::PointOfInterest parseGaze(Fields fields) {
+gaze::PointOfInterest parseGaze(TypedReader reader) {
   constexpr std::array kStates{gaze::GazeState::Ok,   gaze::GazeState::Held,
                                gaze::GazeState::Lost, gaze::GazeState::Easing,
                                gaze::GazeState::None, gaze::GazeState::Ended};
-  std::vector<std::string_view> names;
-  for (const gaze::GazeState state : kStates) names.push_back(gaze::stateName(state));
+  std::vector<std::string> names;
+  for (const gaze::GazeState state : kStates) names.emplace_back(gaze::stateName(state));
+  constexpr Range kShare{.min = 0.0, .max = 1.0};
   gaze::PointOfInterest gaze;
-  gaze.position.x = fields.singleIn("x", 0.0F, 1.0F);
-  gaze.position.y = fields.singleIn("y", 0.0F, 1.0F);
-  gaze.raw.x = fields.single("raw_x");
-  gaze.raw.y = fields.single("raw_y");
-  gaze.state = kStates.at(fields.choice("state", names));
-  gaze.ageSeconds = fields.single("age_s");
-  if (!(gaze.ageSeconds >= 0.0F)) fields.fail("age_s", "is no time since then");
-  gaze.radius = fields.singleIn("radius", 0.0F, std::numeric_limits<float>::max());
-  gaze.saccade = fields.flag("saccade");
-  fields.refuseOthers();
+  gaze.position.x = reader.get<float>("x", kShare, "widths");
+  gaze.position.y = reader.get<float>("y", kShare, "heights");
+  gaze.raw.x = reader.anyFloat("raw_x");
+  gaze.raw.y = reader.anyFloat("raw_y");
+  gaze.state = kStates.at(reader.getChoice("state", names));
+  gaze.ageSeconds = reader.anyFloat("age_s");
+  if (!(gaze.ageSeconds >= 0.0F)) reader.fail("age_s", "is no time since then");
+  gaze.radius = reader.get<float>("radius", {.min = 0.0});
+  gaze.saccade = reader.get<bool>("saccade");
+  reader.finish();
   return gaze;
 }
 
 }  // namespace
 
 Session parseSession(std::string_view text, const std::string& file) {
-  const Place place{.file = file};
-  const nlohmann::json json = parseObject(text, place);
-  Fields fields(json, "", place);
+  const nlohmann::json json = settings::parseJsonObject(text, file, kAdvice);
+  TypedReader reader(settings::DataNode(json), file, kAdvice);
   Session session;
-  const std::uint64_t schema = fields.whole("schema");
-  session.commit = fields.text("commit");
+  const auto schema = reader.get<std::int64_t>("schema");
+  session.commit = reader.textOrNull("commit");
   if (schema != kSchema) {
     failInput(
         "{}: schema {} is not known, only {}; replay it with the program that recorded it, {}",
         file, schema, kSchema, oneLine(session.commit));
   }
-  session.started = fields.text("started");
-  session.scene = parseScene(fields.object("scene"));
-  session.environmentSha256 = parseSha256(fields, "environment_sha256", true);
-  Fields gl = fields.object("gl");
-  session.renderer = gl.text("renderer");
-  session.version = gl.text("version");
-  gl.refuseOthers();
-  Fields scale = fields.object("content_scale");
-  session.contentScale = {scale.single("x"), scale.single("y")};
-  scale.refuseOthers();
-  session.settings = parseSettings(fields.object("settings"));
-  Fields options = fields.object("options");
+  session.started = reader.textOrNull("started");
+  session.scene = parseScene(reader.getTable("scene"));
+  session.environmentSha256 = parseSha256(reader, "environment_sha256");
+  TypedReader gl = reader.getTable("gl");
+  session.renderer = gl.textOrNull("renderer");
+  session.version = gl.textOrNull("version");
+  gl.finish();
+  TypedReader scale = reader.getTable("content_scale");
+  session.contentScale = {scale.get<float>("x"), scale.get<float>("y")};
+  scale.finish();
+  session.settings = parseSettings(reader.getTable("settings"));
+  TypedReader options = reader.getTable("options");
   for (const std::string& key : options.keys()) {
-    session.options.emplace_back(key, options.text(key));
+    session.options.emplace_back(key, options.textOrNull(key));
   }
-  fields.refuseOthers();
+  reader.finish();
   return session;
 }
 
 Frame parseFrame(std::string_view text, const std::string& file, std::size_t line) {
-  const Place place{.file = file, .line = line};
-  const nlohmann::json json = parseObject(text, place);
-  Fields fields(json, "", place);
+  const std::string place = fmt::format("{}: line {}", file, line);
+  const nlohmann::json json = settings::parseJsonObject(text, place, kAdvice);
+  TypedReader reader(settings::DataNode(json), place, kAdvice);
   Frame frame;
-  frame.index = fields.whole("index");
-  frame.timeSeconds = fields.finite("time_s");
-  frame.size.x = static_cast<int>(fields.whole("width", kMostPixels));
-  frame.size.y = static_cast<int>(fields.whole("height", kMostPixels));
-  if (frame.size.x == 0 || frame.size.y == 0) fields.fail("width", "or 'height' is 0");
-  frame.reset = static_cast<Reset>(
-      fields.choice("reset", {resetName(Reset::None), resetName(Reset::History),
-                              resetName(Reset::Scene), resetName(Reset::Restart)}));
-  frame.cut = fields.flag("cut");
-  if (fields.has("scene")) frame.scene = parseScene(fields.object("scene"));
-  if (fields.has("settings")) frame.settings = parseSettings(fields.object("settings"));
-  frame.camera = parseCamera(fields.object("camera"));
-  frame.gaze = parseGaze(fields.object("gaze"));
-  frame.r = fields.finite("r");
-  if (frame.r < 1.0) fields.fail("r", "is below 1");
-  if (fields.has("levers")) {
-    Fields levers = fields.object("levers");
-    for (const std::string& key : levers.keys()) {
-      frame.levers.emplace_back(key, levers.number(key));
-    }
+  constexpr Range kCount{.min = 0.0};
+  constexpr Range kPixels{.min = 1.0, .max = kMostPixels};
+  frame.index = static_cast<std::uint64_t>(reader.get<std::int64_t>("index", kCount));
+  frame.timeSeconds = reader.get<double>("time_s", {}, "s");
+  frame.size.x = reader.get<int>("width", kPixels, "pixels");
+  frame.size.y = reader.get<int>("height", kPixels, "pixels");
+  std::vector<std::string> resets;
+  for (const Reset reset : {Reset::None, Reset::History, Reset::Scene, Reset::Restart}) {
+    resets.emplace_back(resetName(reset));
   }
-  if (fields.has("unrecorded")) frame.unrecorded = fields.whole("unrecorded");
-  if (fields.has("image_sha256")) frame.imageSha256 = parseSha256(fields, "image_sha256", false);
-  fields.refuseOthers();
+  frame.reset = static_cast<Reset>(reader.getChoice("reset", resets));
+  frame.cut = reader.get<bool>("cut");
+  if (reader.has("scene")) frame.scene = parseScene(reader.getTable("scene"));
+  frame.settings = parseSettings(reader.table("settings"));
+  frame.camera = parseCamera(reader.getTable("camera"));
+  frame.gaze = parseGaze(reader.getTable("gaze"));
+  frame.r = reader.get<double>("r", {.min = 1.0});
+  TypedReader levers = reader.table("levers");
+  for (const std::string& key : levers.keys()) {
+    frame.levers.emplace_back(key, levers.anyNumber(key));
+  }
+  if (const auto unrecorded = reader.find<std::int64_t>("unrecorded", kCount, "frames")) {
+    frame.unrecorded = static_cast<std::uint64_t>(*unrecorded);
+  }
+  if (reader.has("image_sha256")) {
+    frame.imageSha256 = parseSha256(reader, "image_sha256");
+    if (frame.imageSha256.empty()) reader.fail("image_sha256", "is empty; leave it out");
+  }
+  reader.finish();
   return frame;
 }
 

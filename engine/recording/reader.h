@@ -11,7 +11,7 @@ namespace macula::recording {
 [[nodiscard]] bool isRecording(const std::filesystem::path& folder);
 
 /// Reads session.json and frames.jsonl; a session that died before its first frame has none.
-/// @throws InputError naming file, line and mend
+/// @throws InputError naming file, line and fix
 [[nodiscard]] Recording readRecording(const std::filesystem::path& folder);
 
 }  // namespace macula::recording

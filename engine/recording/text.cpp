@@ -81,7 +81,7 @@ std::string dumped(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-// Whoever adds a field finds out here that it belongs into appendCamera() or appendGaze(), into
+// A new field fails here until it is added to appendCamera() or appendGaze(), to
 // parse.cpp and into the table of README.md: what is not recorded cannot be replayed.
 static_assert(sizeof(scene::Camera) == sizeof(std::string) + 12 * sizeof(float));
 static_assert(sizeof(gaze::PointOfInterest) == 8 * sizeof(float));

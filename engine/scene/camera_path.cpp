@@ -161,6 +161,12 @@ bool CameraPath::cutAt(double previous, double now) const {
   });
 }
 
+PathPlayer::Moment PathPlayer::moveTo(double timeSeconds) {
+  const bool cut = path_.cutAt(time_, timeSeconds);
+  time_ = timeSeconds;
+  return {path_.at(timeSeconds), cut};
+}
+
 double CameraPath::duration() const {
   if (std::holds_alternative<Camera>(source_)) return 0.0;
   if (std::holds_alternative<CameraOrbit>(source_)) return kOrbitSeconds;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,26 @@ class CameraPath {
   std::variant<Camera, CameraOrbit, std::vector<CameraKey>> source_;
   float nearPlane_ = Camera{}.nearPlane;  ///< of recorded paths
   float farPlane_ = Camera{}.farPlane;
+};
+
+/// A path that is played from its beginning on.
+class PathPlayer {
+ public:
+  struct Moment {
+    Camera camera;
+    bool cut = false;  ///< the path has jumped since the moment before
+  };
+
+  explicit PathPlayer(const CameraPath& path) : path_(path) {}
+  /// Plays to a time in seconds. Nothing has jumped at the first moment at time 0.
+  [[nodiscard]] Moment moveTo(double timeSeconds);
+
+  [[nodiscard]] const CameraPath& path() const { return path_; }
+  [[nodiscard]] double time() const { return time_; }
+
+ private:
+  CameraPath path_;
+  double time_ = 0.0;
 };
 
 /// An orbit that frames the scene: one turn in kOrbitSeconds, from 18 degrees above, beginning at a

@@ -44,9 +44,6 @@ Entry::Entry(Description description, Binding binding, Range range,
       range_(intersect(range, binding_.limits)),
       choices_(std::move(choices)),
       default_(binding_.get()) {
-  if (description_.group.empty()) {
-    description_.group = description_.key.substr(0, description_.key.find('.'));
-  }
   if (const Checked checked = check(default_); !checked.refusal.empty()) {
     throw std::logic_error("the default of setting '" + key() + "', '" + formatValue(default_) +
                            "', " + checked.refusal);

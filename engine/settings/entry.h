@@ -1,6 +1,8 @@
 // One setting: a field of the program with its name, unit, range, help and default.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +12,14 @@
 
 namespace macula::settings {
 
+/// What takes effect how, where a setting changes between two frames.
+enum class Effect : std::uint8_t {
+  DropsHistory,  ///< the next frame is drawn without history: what most settings need
+  ReloadsScene,  ///< goes into the scene while it is loaded, which is done again
+  ReopensGaze,   ///< goes into the source of gaze, which is opened again
+  Immediate,     ///< is looked at in each frame; nothing has to be done
+};
+
 /// The words of a setting, written where it is registered.
 struct Description {
   std::string key = {};    ///< dotted, unique: "oit.kAve"
@@ -18,6 +28,7 @@ struct Description {
   std::string help = {};   ///< one line
   std::string group = {};  ///< heading of panel and help; empty: the part of the key before its dot
   bool share = false;      ///< a share of a whole: percentages are refused with the number to write
+  std::optional<Effect> effect = {};  ///< none: that of its group, see Registry::setGroupEffect()
 };
 
 /// A registered setting. Panels and help read it; every way of setting it goes through set() or
@@ -32,6 +43,7 @@ class Entry {
   [[nodiscard]] const std::string& unit() const { return description_.unit; }
   [[nodiscard]] const std::string& help() const { return description_.help; }
   [[nodiscard]] const std::string& group() const { return description_.group; }
+  [[nodiscard]] Effect effect() const { return description_.effect.value_or(Effect::DropsHistory); }
   [[nodiscard]] Type type() const { return binding_.type; }
   /// For Int, Real and Colour: bounds after the field's own limits; may be infinite.
   [[nodiscard]] const Range& range() const { return range_; }

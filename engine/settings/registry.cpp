@@ -46,6 +46,11 @@ Entry& Registry::insert(Description description, Binding binding, Range range,
   };
   reserve(description.key);
   if (!description.alias.empty()) reserve(description.alias);
+  if (description.group.empty()) {
+    description.group = description.key.substr(0, description.key.find('.'));
+  }
+  const auto known = groupEffects_.find(description.group);
+  if (!description.effect && known != groupEffects_.end()) description.effect = known->second;
   return entries_.emplace_back(std::move(description), std::move(binding), range,
                                std::move(choices));
 }
@@ -122,6 +127,10 @@ void Registry::setAssignment(std::string_view assignment, std::string_view where
   const std::string_view name = assignment.substr(0, equals);
   const std::string_view shown = name.substr(0, kShownCharacters);
   setText(name, assignment.substr(equals + 1), std::string(where) + " " + std::string(shown));
+}
+
+void Registry::setGroupEffect(std::string_view group, Effect effect) {
+  groupEffects_.insert_or_assign(std::string(group), effect);
 }
 
 void Registry::addRivals(std::string_view standing, std::string_view overriding) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -45,6 +47,9 @@ class Registry {
   }
   /// A number that is one of `numbers`, for example 1, 2 or 4 samples.
   Entry& addNumberChoice(Description description, int& field, const std::vector<int>& numbers);
+
+  /// What settings of a group do that are registered from now on and state no effect themselves.
+  void setGroupEffect(std::string_view group, Effect effect);
 
   /// Two registered settings that say the same thing in different terms, so that a user gives one.
   /// @param standing holds where the other is left alone
@@ -92,6 +97,7 @@ class Registry {
   };
 
   std::deque<Entry> entries_;
+  std::map<std::string, Effect, std::less<>> groupEffects_;
   std::vector<Rivals> rivals_;
 };
 

@@ -52,6 +52,13 @@ struct Method {
   }
   /// Whether `--k-ave` and `--oit-memory` say how much is stored.
   [[nodiscard]] bool hasBudget() const { return isKBuffer(); }
+  /// Whether a pixel's share of the budget follows a map of importance.
+  [[nodiscard]] bool followsImportance() const { return allocation == Allocation::ImportanceMap; }
+  /// Whether a smaller budget takes less time. The slots of stencil routing are samples of the
+  /// target, and those that are not used lie idle.
+  [[nodiscard]] bool costFollowsBudget() const {
+    return hasBudget() && insertion != Insertion::StencilRouted;
+  }
   /// Whether the pool grows to what the frames need.
   [[nodiscard]] bool grows() const {
     return allocation == Allocation::ExactCount || allocation == Allocation::Pool;

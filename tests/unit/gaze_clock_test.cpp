@@ -1,4 +1,5 @@
-// The fit of a device's clock to the host's: offset, drift, resets; and the way to the window.
+// A device's clock: whether it is believed, its fit to the host's, resets; and the way to the
+// window.
 #include "engine/gaze/clock_fit.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/gaze/clock_judge.h"
 #include "engine/gaze/display_mapping.h"
 
 namespace macula::gaze {
@@ -57,7 +59,7 @@ TEST(ClockFit, AShortRunHasNoDrift) {
   EXPECT_EQ(fit.driftPpm(), 0.0);
 }
 
-TEST(ClockFit, StartsAnewWhenTheDeviceIsSet) {
+TEST(ClockFit, StartsAgainWhenTheDeviceIsSet) {
   ClockFit fit;
   for (int i = 0; i < 100; ++i) fit.add(1000.0 + 0.01 * i, 50.0 + 0.01 * i);
   fit.add(0.0, 51.5);  // power cycle: its clock begins at 0
@@ -78,7 +80,7 @@ TEST(ClockFit, AStalledReaderIsNoNewClock) {
   EXPECT_NEAR(*fit.toHost(2.0), 52.0, 0.01);
 }
 
-TEST(ClockFit, AClockThatPausedIsFittedAnew) {
+TEST(ClockFit, AClockThatPausedIsFittedAgain) {
   for (const double step : {0.1, 0.5, -0.5}) {
     ClockFit fit;
     for (int i = 0; i < 3000; ++i) fit.add(0.01 * i, 50.0 + 0.01 * i);
@@ -92,8 +94,42 @@ TEST(ClockFit, AClockThatPausedIsFittedAnew) {
 TEST(ClockFit, AStoppedClockIsNotBelieved) {
   ClockFit fit;
   for (int i = 0; i < 300; ++i) fit.add(5.0, 50.0 + 0.01 * i);
-  EXPECT_GE(fit.restarts(), 2U);  // each second anew
+  EXPECT_GE(fit.restarts(), 2U);  // each second
   EXPECT_GT(*fit.toHost(5.0), 51.5);
+}
+
+/// The judge of a clock that is read 250 times a second, by times of the host.
+template <typename Device>
+ClockJudge judged(double seconds, Device&& device) {
+  ClockJudge judge;
+  for (int i = 0; i * 0.004 <= seconds; ++i) judge.add(device(i * 0.004), i * 0.004);
+  return judge;
+}
+
+TEST(ClockJudge, BelievesAClockOnceItHasRunWithTheHost) {
+  EXPECT_EQ(judged(0.4, [](double t) { return t + 1000.0; }).verdict(),
+            ClockJudge::Verdict::Unknown);
+  EXPECT_TRUE(judged(2.0, [](double t) { return t * 1.001 + 1000.0; }).believes());
+}
+
+TEST(ClockJudge, WholeSecondsAndOtherWrongUnitsAreNotTimestamps) {
+  const auto verdict = [](auto&& device) { return judged(3.0, device).verdict(); };
+  constexpr auto kWrong = ClockJudge::Verdict::Wrong;
+  // Whole seconds in a field of microseconds, as seconds, and as microseconds rounded to seconds.
+  EXPECT_EQ(verdict([](double t) { return std::floor(t) * 1e-6; }), kWrong);
+  EXPECT_EQ(verdict([](double t) { return std::floor(t); }), kWrong);
+  EXPECT_EQ(verdict([](double t) { return t * 1e-3; }), kWrong);
+  EXPECT_EQ(verdict([](double t) { return 10.0 - t; }), kWrong);
+  EXPECT_EQ(verdict([](double) { return 5.0; }), kWrong);
+  // Every second sample repeats the time of the one before: it does not tell samples apart.
+  EXPECT_EQ(verdict([](double t) { return std::floor(t / 0.008) * 0.008; }), kWrong);
+}
+
+TEST(ClockJudge, AClockThatFailsLaterIsWithdrawn) {
+  ClockJudge judge = judged(1.0, [](double t) { return t; });
+  EXPECT_TRUE(judge.believes());
+  for (int i = 0; i < 500; ++i) judge.add(1.0, 1.0 + i * 0.004);
+  EXPECT_FALSE(judge.believes());
 }
 
 WindowPlacement placement() {

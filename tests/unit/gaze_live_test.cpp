@@ -1,4 +1,4 @@
-// A device that is read now, as a made-up reader gives it.
+// A device that is read now, simulated by a reader.
 #include "engine/gaze/live_gaze.h"
 
 #include <gtest/gtest.h>
@@ -54,11 +54,11 @@ TEST(LiveGaze, PlacesSamplesInTheWindow) {
 TEST(LiveGaze, AgeIsByTheDevicesClock) {
   FakeReader reader;
   LiveGaze gaze(reader, {}, kStart);
-  for (int i = 0; i < 50; ++i) reader.see(0.004 * i, 0.5, 0.5);
+  for (int i = 0; i < 150; ++i) reader.see(0.004 * i, 0.5, 0.5);
   // The last one was read 30 ms late, in a stalled thread; it is as old as it is.
-  reader.see(0.200, 0.5, 0.5);
+  reader.see(0.600, 0.5, 0.5);
   reader.pending.back().hostSeconds += 0.030;
-  EXPECT_NEAR(gaze.at(0.240).ageSeconds, 0.240 - 0.202, 1e-6);
+  EXPECT_NEAR(gaze.at(0.640).ageSeconds, 0.640 - 0.602, 1e-6);
 }
 
 TEST(LiveGaze, AClockTooCoarseForItsSamplesIsNotUsed) {
@@ -71,6 +71,8 @@ TEST(LiveGaze, AClockTooCoarseForItsSamplesIsNotUsed) {
   const PointOfInterest point = gaze.at(2.0);
   EXPECT_EQ(point.state, GazeState::Ok);
   EXPECT_NEAR(point.ageSeconds, 0.01, 1e-6);
+  EXPECT_FALSE(gaze.status().clock);
+  EXPECT_NE(gaze.status().message.find("timestamps"), std::string::npos);
 }
 
 TEST(LiveGaze, ABlinkIsSilenceAndUnplugIsNoticedAtOnce) {
@@ -173,8 +175,8 @@ TEST(LiveGaze, ReportsItsClock) {
   FakeReader reader;
   LiveGaze gaze(reader, {}, kStart);
   EXPECT_FALSE(gaze.status().clock);
-  for (int i = 0; i < 50; ++i) reader.see(0.004 * i, 0.5, 0.5);
-  static_cast<void>(gaze.at(0.2));
+  for (int i = 0; i < 150; ++i) reader.see(0.004 * i, 0.5, 0.5);
+  static_cast<void>(gaze.at(0.6));
   ASSERT_TRUE(gaze.status().clock);
   EXPECT_NEAR(gaze.status().clock->offsetSeconds, kStart + 0.002 - 70.0, 1e-6);
 }

@@ -150,46 +150,6 @@ TEST(HidReport, TheConfigurationTellsTheDisplay) {
   EXPECT_FALSE(screenSize(layoutFor({.configuration = false}), std::vector<std::uint8_t>(19)));
 }
 
-/// Feeds a clock 250 Hz for so many seconds; the last answer.
-template <typename Device>
-std::optional<double> run(DeviceClock& clock, double seconds, Device&& device) {
-  std::optional<double> last;
-  for (int i = 0; i * 0.004 <= seconds; ++i) last = clock.check(i * 0.004, device(i * 0.004));
-  return last;
-}
-
-TEST(HidClock, IsBelievedOnceItHasRunWithTheHost) {
-  DeviceClock clock;
-  EXPECT_FALSE(run(clock, 0.4, [](double t) { return t + 1000.0; }));
-  EXPECT_EQ(clock.verdict(), DeviceClock::Verdict::Unknown);
-  DeviceClock longer;
-  const auto last = run(longer, 2.0, [](double t) { return t * 1.001 + 1000.0; });
-  ASSERT_TRUE(last);
-  EXPECT_NEAR(*last, 1002.002, 1e-9);
-}
-
-TEST(HidClock, WholeSecondsAndOtherWrongUnitsAreNotTimestamps) {
-  const auto verdict = [](auto&& device) {
-    DeviceClock clock;
-    EXPECT_FALSE(run(clock, 3.0, device));
-    return clock.verdict();
-  };
-  // Whole seconds in a field of microseconds, as seconds, and as microseconds rounded to seconds.
-  EXPECT_EQ(verdict([](double t) { return std::floor(t) * 1e-6; }), DeviceClock::Verdict::Wrong);
-  EXPECT_EQ(verdict([](double t) { return std::floor(t); }), DeviceClock::Verdict::Wrong);
-  EXPECT_EQ(verdict([](double t) { return t * 1e-3; }), DeviceClock::Verdict::Wrong);
-  EXPECT_EQ(verdict([](double t) { return 10.0 - t; }), DeviceClock::Verdict::Wrong);
-  EXPECT_EQ(verdict([](double) { return 5.0; }), DeviceClock::Verdict::Wrong);
-}
-
-TEST(HidClock, AClockThatFailsLaterIsWithdrawn) {
-  DeviceClock clock;
-  EXPECT_TRUE(run(clock, 1.0, [](double t) { return t; }));
-  std::optional<double> last;
-  for (int i = 0; i < 500; ++i) last = clock.check(1.0 + i * 0.004, 1.0);
-  EXPECT_FALSE(last);
-}
-
 TEST(HidSession, AsksForWhatIsMissingAndTakesTheDevicesWordFirst) {
   using ::testing::HasSubstr;
   Session session(layoutFor({}), {});
@@ -227,18 +187,6 @@ TEST(HidSession, ReadyAfterACalibrationAsksAgain) {
   EXPECT_TRUE(status(1));
   EXPECT_FALSE(session.takeCalibrated());
   EXPECT_FALSE(status(1));
-}
-
-TEST(HidSession, WholeSecondTimestampsLeaveTheHostsTimes) {
-  Session session(layoutFor({}), {});
-  for (int i = 0; i < 500; ++i) {
-    const double host = 100.0 + i * 0.004;
-    const auto taken = session.take(gazeReport({}, static_cast<std::uint64_t>(host), 5, 5), host);
-    EXPECT_EQ(taken.kind, ReportClass::Gaze);
-    EXPECT_DOUBLE_EQ(taken.sample.hostSeconds, host);
-    EXPECT_FALSE(taken.sample.deviceSeconds);
-  }
-  EXPECT_THAT(session.note(""), ::testing::HasSubstr("timestamps"));
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ TEST(RecordingReader, ALineThatWasCutOffIsDroppedAndCounted) {
 TEST(RecordingReader, AnyOtherDamageIsNamedWithItsLine) {
   const auto message = [](const char* good, const char* bad) { return messageFor(good, bad); };
   EXPECT_EQ(message("\"cut\":false", "\"cut\":2"),
-            "frames.jsonl: line 2: 'cut' is neither true nor false; write one of them");
+            "frames.jsonl: line 2: 'cut' is 2; give true or false, \"on\" or \"off\", 1 or 0");
   for (const char* off : {"0", "\"off\""}) {
     EXPECT_EQ(message("\"cut\":false", (std::string("\"cut\":") + off).c_str()), "no error") << off;
   }
@@ -165,7 +165,8 @@ TEST(RecordingReader, AnyOtherDamageIsNamedWithItsLine) {
   EXPECT_THAT(message("\"none\"", "\"nine\""), HasSubstr("'reset' is 'nine'"));
   EXPECT_THAT(message("\"width\":640", "\"width\":641"), HasSubstr("without a 'reset'"));
   EXPECT_THAT(message("\"width\":640", "\"width\":0"), HasSubstr("'width'"));
-  EXPECT_THAT(message("\"width\":640", "\"width\":20000"), HasSubstr("from 0 to 16384"));
+  EXPECT_THAT(message("\"width\":640", "\"width\":20000"),
+              HasSubstr("'width' is 20000; give a whole number from 1 to 16384 (pixels)"));
   EXPECT_THAT(message("\"width\":640", "\"width\":-1"), HasSubstr("'width'"));
   EXPECT_THAT(message("\"time_s\":0.016", "\"time_s\":\"inf\""), HasSubstr("'time_s'"));
   EXPECT_THAT(message("\"vfov\":", "\"vfov\":4e9,\"x\":"), HasSubstr("'camera.vfov'"));
@@ -173,10 +174,11 @@ TEST(RecordingReader, AnyOtherDamageIsNamedWithItsLine) {
   EXPECT_THAT(message("\"up\":[0,1,0]", "\"up\":[0,1,1e99]"),
               HasSubstr("'camera.up' is too large"));
   EXPECT_THAT(message("\"up\":[0,1,0]", "\"up\":[0,1,1e999]"), HasSubstr("line 2: holds a number"));
-  EXPECT_THAT(message("\"x\":0.3", "\"x\":1.5"), HasSubstr("'gaze.x' is not from 0 to 1"));
-  EXPECT_THAT(message("\"state\":\"ok\"", "\"state\":\"okay\""), HasSubstr("the nearest known is"));
+  EXPECT_THAT(message("\"x\":0.3", "\"x\":1.5"),
+              HasSubstr("'gaze.x' is 1.5; give a finite number from 0 to 1"));
+  EXPECT_THAT(message("\"state\":\"ok\"", "\"state\":\"okay\""), HasSubstr("(nearest: 'ok')"));
   EXPECT_THAT(message("\"age_s\":0", "\"age_s\":-1"), HasSubstr("'gaze.age_s'"));
-  EXPECT_THAT(message("\"r\":1", "\"r\":0.5"), HasSubstr("'r' is below 1"));
+  EXPECT_THAT(message("\"r\":1", "\"r\":0.5"), HasSubstr("'r' is 0.5; give a finite number >= 1"));
   EXPECT_THAT(message("\"r\":1", "\"r\":1,\"settings\":{\"a\":null}"), HasSubstr("'settings.a'"));
   EXPECT_THAT(message("\"r\":1", "\"r\":1,\"image_sha256\":\"abc\""), HasSubstr("'image_sha256'"));
   EXPECT_EQ(message("\"cut\":false", "\"cut\":false"), "no error") << "the rest of the test fails";

@@ -310,5 +310,22 @@ TEST_F(RegistryTest, WrongRegistrationIsALogicError) {
   EXPECT_THROW(registry_.addNumberChoice({.key = "number"}, extra, {1, 2}), std::logic_error);
 }
 
+TEST(RegistryEffect, IsTheSettingsOwnOrThatOfItsGroup) {
+  Registry registry;
+  int a = 0;
+  int b = 0;
+  int c = 0;
+  int d = 0;
+  registry.add({.key = "gaze.before"}, a);
+  registry.setGroupEffect("gaze", Effect::ReopensGaze);
+  registry.add({.key = "gaze.after"}, b);
+  registry.add({.key = "gaze.own", .effect = Effect::Immediate}, c);
+  registry.add({.key = "other", .group = "gaze"}, d);
+  EXPECT_EQ(registry.find("gaze.before")->effect(), Effect::DropsHistory);
+  EXPECT_EQ(registry.find("gaze.after")->effect(), Effect::ReopensGaze);
+  EXPECT_EQ(registry.find("gaze.own")->effect(), Effect::Immediate);
+  EXPECT_EQ(registry.find("other")->effect(), Effect::ReopensGaze);
+}
+
 }  // namespace
 }  // namespace macula::settings

@@ -11,6 +11,7 @@
 #include "engine/experiment/point.h"
 #include "engine/image/image.h"
 #include "engine/measure/flip.h"
+#include "engine/recording/recording.h"
 #include "passes/frame_renderer.h"
 
 namespace macula::tools {
@@ -43,9 +44,8 @@ class Contender {
   /// @throws InputError where the machine refuses the buffers
   void draw(bool measured);
   /// A frame beside those that count, on the history of the last one.
-  /// @param gaze 0..1 of the window @param cut the camera jumped
   /// @throws InputError where the machine refuses the buffers
-  void drawFrom(const scene::Camera& camera, glm::vec2 gaze, bool cut);
+  void drawFrom(const recording::Frame& frame);
 
   /// The images of the last frame.
   [[nodiscard]] image::Image8 shown() const;
@@ -58,22 +58,11 @@ class Contender {
   [[nodiscard]] const passes::RenderSettings& settings() const { return settings_->render; }
 
  private:
-  struct PassSamples {
-    std::string name;
-    std::vector<double> ms;
-  };
-  [[nodiscard]] experiment::Point bytes() const;
-  [[nodiscard]] std::optional<double> budgetUsed() const;
-  [[nodiscard]] experiment::Point shading() const;
-
   std::unique_ptr<VariantSettings> settings_;
   const Stage& stage_;
   passes::FrameRenderer renderer_;
   passes::FrameResult result_;
-  std::vector<double> totalMs_;
-  std::vector<double> transparencyMs_;
-  std::vector<double> shadingMs_;
-  std::vector<PassSamples> passes_;
+  std::vector<measure::FrameRecord> rounds_;
 };
 
 /// Adds errors against the reference to a point, writes image and error maps and names them.

@@ -2,30 +2,27 @@
 
 #include <new>
 #include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/experiment/path_error.h"
 
 namespace macula::tools {
 
-bool walkPath(const PathTrack& track, Contender& exact,
-              std::span<const std::unique_ptr<Contender>> members,
-              std::span<experiment::Point> points, const std::function<bool()>& goesOn) {
+std::optional<bool> walkPath(recording::FrameSource& frames, double fps, Contender& exact,
+                             std::span<const std::unique_ptr<Contender>> members,
+                             std::span<experiment::Point> points, ProgressBar& progress) {
   std::vector<experiment::PathError> errors(members.size());
   std::vector<std::string> refusals(members.size());
   bool allExact = true;
-  for (int frame = 0; frame < track.frames; ++frame) {
-    const double time = frame / track.fps;
-    const scene::Camera camera = track.camera.at(time);
-    const auto gaze = glm::vec2(track.gaze.at(time).position);
-    const bool cut = frame > 0 && track.camera.cutAt((frame - 1) / track.fps, time);
-    exact.drawFrom(camera, gaze, cut);
+  const auto draw = [&](const recording::Frame& frame) {
+    exact.drawFrom(frame);
     allExact = allExact && exact.result().exact;
     const image::ImageF reference = exact.display();
     for (std::size_t i = 0; i < members.size(); ++i) {
       if (members[i] == nullptr || !refusals[i].empty()) continue;
       try {
-        members[i]->drawFrom(camera, gaze, cut);
+        members[i]->drawFrom(frame);
         errors[i].add(reference, members[i]->display());
       } catch (const InputError& error) {
         refusals[i] = error.what();
@@ -33,12 +30,12 @@ bool walkPath(const PathTrack& track, Contender& exact,
         refusals[i] = "out of memory";
       }
     }
-    if (!goesOn()) return allExact;
-  }
+  };
+  if (!playFrames(frames, progress, draw)) return std::nullopt;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (members[i] == nullptr) continue;
-    points[i]["path"] = refusals[i].empty() ? errors[i].toPoint(track.fps)
-                                            : experiment::Point{{"reason", refusals[i]}};
+    points[i]["path"] =
+        refusals[i].empty() ? errors[i].toPoint(fps) : experiment::Point{{"reason", refusals[i]}};
   }
   return allExact;
 }

@@ -17,11 +17,6 @@ constexpr const char* kAverageKey = "oit.kAve";
 constexpr const char* kMemoryKey = "oit.memoryMiB";
 constexpr double kMebi = 1024.0 * 1024.0;
 
-/// Whether a scene has to be loaded again where this setting changes.
-bool decidesLoading(const std::string& key) {
-  return key == kSeedKey || (key.starts_with("scene.") && key != "scene.background");
-}
-
 void checkScene(const std::string& scene, const experiment::Study& study) {
   if (scene::isSceneFile(scene)) return;
   if (study.isOptional(scene)) {
@@ -65,7 +60,7 @@ void requireNoBudget(const VariantSettings& own, const experiment::Variant& vari
 /// All variants of a group share its loaded scene.
 void requireNoLoading(const VariantSettings& settings, const experiment::Variant& variant) {
   for (const settings::Entry& entry : settings.registry.entries()) {
-    if (decidesLoading(entry.key()) && !entry.isDefault()) {
+    if (entry.effect() == settings::Effect::ReloadsScene && !entry.isDefault()) {
       failInput(
           "{}: {} decides what is loaded; give it under settings of the experiment or of "
           "a [[study]]",

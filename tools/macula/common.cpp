@@ -9,11 +9,12 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/core/interrupt.h"
 #include "engine/image/image.h"
 #include "engine/recording/reader.h"
 #include "engine/scene/light_choice.h"
 #include "engine/scene/load.h"
-#include "engine/scene/opacity_override.h"
+#include "engine/scene/material_override.h"
 
 namespace macula::tools {
 
@@ -90,34 +91,23 @@ void printWarnings(const scene::Scene& scene, const scene::Camera& camera, float
   if (!lights.empty()) fmt::print(stderr, "warning: {}\n", oneLine(lights));
 }
 
-namespace {
-
-/// The camera of a recording as a path for other scenes, times and sizes.
-scene::CameraPath recordedPath(const std::string& folder) {
-  std::vector<scene::CameraKey> keys;
-  for (const recording::Frame& frame : recording::readRecording(folder).frames) {
-    if (!keys.empty() && frame.timeSeconds <= keys.back().time) continue;
-    keys.push_back({.time = frame.timeSeconds,
-                    .position = frame.camera.position,
-                    .target = frame.camera.target,
-                    .verticalFov = frame.camera.verticalFov,
-                    .cut = frame.cut});
+scene::CameraPath readCamera(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    failInput("--camera {}: no such file; give auto, scene, a path file or a recording", file);
   }
-  if (keys.empty()) failInput("--camera: {}: no frame was recorded; record again", folder);
-  return scene::CameraPath(std::move(keys));
+  if (!recording::isRecording(file)) return scene::readCameraPath(file);
+  const recording::Recording recording = recording::readRecording(file);
+  if (recording.frames.empty()) {
+    failInput("--camera: {}: no frame was recorded; record again", file);
+  }
+  return recording::cameraPathOf(recording);
 }
-
-}  // namespace
 
 scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene) {
   if (spec == "auto") return scene::autoOrbit(scene);
   if (spec != "scene") {
-    std::error_code error;
-    if (!std::filesystem::exists(spec, error)) {
-      failInput("--camera {}: no such file; give auto, scene, a path file or a recording", spec);
-    }
-    scene::CameraPath path =
-        recording::isRecording(spec) ? recordedPath(spec) : scene::readCameraPath(spec);
+    scene::CameraPath path = readCamera(spec);
     path.fitPlanes(scene::boundsOf(scene));
     return path;
   }
@@ -189,6 +179,16 @@ void ProgressBar::advance() {
                std::string(static_cast<std::size_t>(filled), '#').c_str(),
                std::string(static_cast<std::size_t>(kWidth - filled), '.').c_str(), done_, total_);
   std::fflush(stderr);
+}
+
+bool playFrames(recording::FrameSource& frames, ProgressBar& progress,
+                const std::function<void(const recording::Frame&)>& draw) {
+  while (const recording::Frame* frame = frames.next()) {
+    draw(*frame);
+    progress.advance();
+    if (interruptAsked()) return false;
+  }
+  return true;
 }
 
 }  // namespace macula::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "engine/core/progress.h"
+#include "engine/recording/frame_source.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/environment.h"
 #include "engine/scene/scene.h"
@@ -57,8 +59,10 @@ struct LoadedScene {
 /// @param camera, aspect of the first frame: they decide which lights it has
 void printWarnings(const scene::Scene& scene, const scene::Camera& camera, float aspect);
 
-/// `auto`, `scene`, a path file or the folder of a recording.
+/// `auto`, `scene`, or what readCamera() takes.
 [[nodiscard]] scene::CameraPath parseCameraSpec(const std::string& spec, const scene::Scene& scene);
+/// A path file or the folder of a recording. @throws InputError naming --camera, file and place
+[[nodiscard]] scene::CameraPath readCamera(const std::string& file);
 
 /// Adds `--out DIR` and `--force`, for OutputFolder.
 template <typename Path>
@@ -99,5 +103,10 @@ class ProgressBar {
   bool ended_ = false;
   ProgressLines lines_;
 };
+
+/// Draws frame after frame until the last, or until the user interrupts.
+/// @returns false where the user did
+bool playFrames(recording::FrameSource& frames, ProgressBar& progress,
+                const std::function<void(const recording::Frame&)>& draw);
 
 }  // namespace macula::tools

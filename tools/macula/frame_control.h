@@ -14,7 +14,7 @@ namespace macula::tools {
 /// Why the clock that frames are timed by cannot be controlled by; empty where it can.
 [[nodiscard]] std::string clockFaultOf(const gl::TimeSourceCheck& check);
 
-/// Moves the levers of one renderer, frame by frame.
+/// Sets the quality controls (levers) of one renderer, frame by frame.
 class FrameControl {
  public:
   /// @param settings, rendering must outlive it; may change at any time
@@ -22,7 +22,7 @@ class FrameControl {
                const gl::TimeSourceCheck& check)
       : controller_(settings, clockFaultOf(check)), settings_(settings), rendering_(rendering) {}
 
-  /// Sets the levers of the next frame; at rest where nothing is controlled.
+  /// Sets those of the next frame; at rest where nothing is controlled.
   void steer(passes::FrameRenderer& renderer);
   /// Takes the times of that frame.
   /// @param cpuMs, intervalMs as control::FrameTimes has them

@@ -12,6 +12,7 @@
 #include "engine/gaze/source.h"
 #include "engine/measure/statistics.h"
 #include "frame_control.h"
+#include "frame_record.h"
 #include "gaze_report.h"
 #include "hold.h"
 #include "hold_record.h"
@@ -38,13 +39,10 @@ control::HeldFrame heldFrame(const passes::FrameResult& result) {
 struct Stage {
   passes::Machine machine;
   scene::GpuScene gpu;
-  scene::CameraPath path;
-  std::unique_ptr<gaze::GazeSource> gaze;
+  recording::FrameSource& frames;
 
-  Stage(LoadedScene&& loaded, scene::CameraPath&& camera, std::unique_ptr<gaze::GazeSource> source)
-      : gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr),
-        path(std::move(camera)),
-        gaze(std::move(source)) {}
+  Stage(const LoadedScene& loaded, recording::FrameSource& source)
+      : gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr), frames(source) {}
 };
 
 int loadAt(const std::vector<LoadStep>& steps, std::size_t frame) {
@@ -59,10 +57,10 @@ std::vector<control::HeldFrame> drawStill(passes::FrameRenderer& renderer, const
   renderer.setShadingLoad(times);
   renderer.setLevers({.resize = static_cast<float>(resize)});
   std::vector<control::HeldFrame> drawn;
-  const gaze::PointOfInterest point = stage.gaze->at(0.0);
+  const recording::Frame& first = stage.frames.first();
   for (int i = -kUnmeasured; i < frames; ++i) {
     endIfInterrupted();
-    const passes::FrameResult result = renderer.render(stage.path.at(0.0), point);
+    const passes::FrameResult result = renderer.render(first.camera, first.gaze);
     if (i >= 0) drawn.push_back(heldFrame(result));
   }
   return drawn;
@@ -115,35 +113,27 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
   control.resized(record.size);
   const frame::Levers fixedLevers{.resize = static_cast<float>(record.fixedResize)};
   ProgressBar progress("hold", options.frames);
-  double previous = 0.0;
-  for (int i = 0; i < options.frames; ++i) {
-    const double time = i / options.fps;
-    const gaze::PointOfInterest point = stage.gaze->at(time);
-    const scene::Camera camera = stage.path.at(time);
-    const bool cut = i > 0 && stage.path.cutAt(previous, time);
-    const int times = loadAt(record.steps, static_cast<std::size_t>(i));
+  playFrames(stage.frames, progress, [&](const recording::Frame& source) {
+    const int times = loadAt(record.steps, source.index);
     held.setShadingLoad(times);
     control.steer(held);
-    const passes::FrameResult result = held.render(camera, point, cut);
+    const passes::FrameResult result = held.render(source.camera, source.gaze, source.cut);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
-    HoldFrameRecord more{time, held.inputs().levers, {}};
+    const frame::Levers levers = held.inputs().levers;
     frame.load = times;
-    frame.othersAtRest = more.levers.foveaSlope == 1.0F && more.levers.layerShare == 1.0F;
-    for (const frame::PassTime& pass : result.passes) more.passMs.emplace_back(pass.name, pass.ms);
+    frame.othersAtRest = levers.foveaSlope == 1.0F && levers.layerShare == 1.0F;
+    record.frames.push_back({source.timeSeconds, levers});
+    record.records.push_back(recordOf(held, result));
     fixed.setShadingLoad(times);
     fixed.setLevers(fixedLevers);
-    frame.fixedMs = fixed.render(camera, point, cut).totalMs;
+    frame.fixedMs = fixed.render(source.camera, source.gaze, source.cut).totalMs;
     record.held.push_back(frame);
-    record.frames.push_back(std::move(more));
     const std::string notice = control.controller().notice();
     if (notice != (record.notices.empty() ? "" : record.notices.back().text)) {
-      record.notices.push_back({static_cast<std::size_t>(i), notice});
+      record.notices.push_back({source.index, notice});
     }
-    previous = time;
-    progress.advance();
-    if (interruptAsked()) break;
-  }
+  });
   if (record.held.size() == static_cast<std::size_t>(options.frames)) return;
   record.interrupted =
       fmt::format("{} of {} frames were drawn", record.held.size(), options.frames);
@@ -168,19 +158,21 @@ void holdScene(HoldOptions& options) {
   HoldRecord record;
   record.size = parseSize(options.size);
   record.steps = parseLoads(options.loads, options.frames);
-  auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
-  LoadedScene loaded = loadForRendering(options.scene, options.settings);
+  const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
+  std::optional<LoadedScene> loaded = loadForRendering(options.scene, options.settings);
   const FollowedGaze followed(*gazeSource, options.gazeSettings);
   followed.printWarnings();
   record.gazeLog = followed.toJson();
-  scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
-  printWarnings(loaded.scene, path.at(0.0), aspectOf(record.size));
+  recording::PathFrames frames(parseCameraSpec(options.camera, loaded->scene), *gazeSource,
+                               options.fps, static_cast<std::size_t>(options.frames), record.size);
+  printWarnings(loaded->scene, frames.first().camera, aspectOf(record.size));
   std::optional<OutputFolder> output;
   if (!options.out.empty()) output.emplace(options.out, "hold", options.force);
   record.provenance = provenanceOfFrames(options);
 
   const window::HeadlessContext context(platformOf(options.platform));
-  Stage stage(std::move(loaded), std::move(path), std::move(gazeSource));
+  Stage stage(*loaded, frames);
+  loaded.reset();  // it is in GPU memory now
   record.clockFault = clockFaultOf(stage.machine.time);
   record.timeSource = gl::nameOf(stage.machine.time.source);
   record.glRenderer = stage.machine.capabilities.renderer;

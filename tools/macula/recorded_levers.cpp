@@ -50,7 +50,7 @@ std::vector<std::pair<std::string, double>> recordedLevers(const frame::Levers& 
 frame::Levers replayedLevers(const recording::Frame& frame, double lodResize,
                              const std::string& place) {
   frame::Levers levers;
-  // Written by other hands: a walk notes the lever r wherever lod.r was not what counted.
+  // Only of recordings by other programs: a walk records the lever wherever lod.r was not used.
   if (frame.r != 1.0 && lodResize == 1.0) levers.resize = static_cast<float>(frame.r);
   if (frame.r > control::kMostResize) {
     failInput("{}: 'r' is {}; give 1 to {}", place, frame.r, control::kMostResize);

@@ -1,4 +1,4 @@
-// Levers of a frame as a recording holds them.
+// The quality controls (levers) of a frame as a recording holds them.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ namespace macula::tools {
 /// What recordedLevers() was made from, bit for bit.
 /// @param lodResize lod.r of the frame: r of a frame without levers is its own, unless it is 1
 /// @param place file and line, for messages
-/// @throws InputError for a lever or a value that is not known
+/// @throws InputError for an unknown lever or an impossible value
 [[nodiscard]] frame::Levers replayedLevers(const recording::Frame& frame, double lodResize,
                                            const std::string& place);
 

@@ -6,38 +6,29 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 
-#include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/interrupt.h"
 #include "engine/core/output_folder.h"
-#include "engine/core/plural.h"
 #include "engine/core/sha256.h"
-#include "engine/gaze/point_error.h"
-#include "engine/gaze/source.h"
-#include "engine/image/image.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
-#include "engine/measure/run_record.h"
-#include "gaze_report.h"
-#include "passes/frame_renderer.h"
-#include "provenance.h"
-#include "replay_painter.h"
-#include "replay_recording.h"
+#include "frame_record.h"
+#include "recorded_levers.h"
+#include "replay_input.h"
 
 namespace macula::tools {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using recording::Frame;
+using recording::Reset;
 
-double millisecondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-/// The same method with turns, to count a racy one's hazards against.
-passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
+/// The same method with ordering, to count a racy one's hazards against.
+passes::RenderSettings orderedOf(const passes::RenderSettings& settings) {
   passes::RenderSettings other = settings;
   other.oit.method = "kb-fixed";
   other.oit.sync = "auto";
@@ -45,118 +36,202 @@ passes::RenderSettings withTurns(const passes::RenderSettings& settings) {
   return other;
 }
 
-void printSummary(const ReplayOptions& options, const nlohmann::ordered_json& report) {
-  const auto& summary = report["summary"];
-  const auto frames = counted(report["frames"].size(), "frame");
-  fmt::print("{} of {} by {}: median {:.2f} ms", frames, options.scene, options.settings.oit.method,
-             summary["ms"]["median"].get<double>());
-  if (options.reference) fmt::print(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
-  fmt::print("\nreport: {}\n", (std::filesystem::path(options.out) / "report.json").string());
+/// Draws the frames of an input in their order, whatever they are from.
+class Replay {
+ public:
+  Replay(ReplayOptions& options, ReplayInput& input, OutputFolder& output, Clock::time_point begin);
+  void run();
+  /// Writes the report. @throws Interrupted where not all frames were drawn @throws Difference
+  void finish();
+
+ private:
+  void warmUp();
+  void draw(const Frame& frame);
+  /// What is drawn beside a racy method; null beside others.
+  Painter* ordered(const Frame& frame);
+  /// Does what was done before the frame: settings, scene, size, resets, levers.
+  void follow(const Frame& frame);
+  void apply(const recording::Settings& settings);
+  void loadScene(const Frame& frame);
+  passes::FrameResult render(const Frame& frame);
+  template <typename Function>
+  void forEachPainter(const Function& function) {
+    function(*painter_);
+    if (reference_) function(*reference_);
+    if (ordered_) function(*ordered_);
+  }
+
+  ReplayOptions& options_;
+  ReplayInput& input_;
+  OutputFolder& output_;
+  Clock::time_point begin_;
+  passes::RenderSettings referenceSettings_;
+  passes::RenderSettings orderedSettings_;
+  measure::RunRecord run_;
+  window::HeadlessContext context_;
+  passes::Machine machine_;
+  std::unique_ptr<scene::GpuScene> gpu_;
+  std::optional<Painter> painter_;
+  std::optional<Painter> reference_;
+  std::optional<Painter> ordered_;  ///< beside a racy method
+  measure::FlickerMeter flicker_;
+  std::set<std::string> unknown_;  ///< settings that were left out
+};
+
+Replay::Replay(ReplayOptions& options, ReplayInput& input, OutputFolder& output,
+               Clock::time_point begin)
+    : options_(options),
+      input_(input),
+      output_(output),
+      begin_(begin),
+      context_(platformOf(options.platform)) {
+  options.settings.tonemap.linearOut = options.reference || options.images == "exr";
+  apply({});
+}
+
+void Replay::apply(const recording::Settings& settings) {
+  const auto where = fmt::format("{}: the recording", options_.scene);
+  for (const auto& [key, value] : settings) {
+    if (settings::Entry* entry = options_.registry.find(key)) {
+      entry->set(value, where);
+    } else if (key.starts_with("control.")) {
+      // What a controller did is recorded; a replay repeats that, and never controls.
+    } else if (unknown_.insert(key).second) {
+      // A walk may have settings of its own, such as those of a tracker, that no image depends on.
+      fmt::print(stderr, "warning: {}: the setting '{}' is not known to replay and left out\n",
+                 options_.scene, oneLine(key));
+    }
+  }
+  referenceSettings_ = passes::referenceOf(options_.settings);
+  orderedSettings_ = orderedOf(options_.settings);
+}
+
+void Replay::loadScene(const Frame& frame) {
+  const LoadedScene loaded = input_.load(frame.scene);
+  printWarnings(loaded.scene, frame.camera, aspectOf(frame.size));
+  run_.loadMs += loaded.loadMs;
+  auto gpu = std::make_unique<scene::GpuScene>(loaded.scene,
+                                               loaded.environment ? &*loaded.environment : nullptr);
+  if (painter_) forEachPainter([&](Painter& painter) { painter.setScene(*gpu); });
+  gpu_ = std::move(gpu);
+}
+
+void Replay::follow(const Frame& frame) {
+  if (!frame.settings.empty()) apply(frame.settings);
+  if (!gpu_ || !frame.scene.name.empty()) loadScene(frame);
+  if (!painter_) {
+    painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
+    if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
+  }
+  // The reference is drawn at full rate.
+  painter_->setLevers(replayedLevers(frame, options_.settings.lod.resize, options_.scene));
+  if (frame.reset == Reset::None) return;
+  const glm::ivec2 before = painter_->renderer().outputSize();
+  forEachPainter([&](Painter& painter) {
+    if (frame.reset == Reset::Scene) painter.setScene(*gpu_);
+    if (frame.reset == Reset::Restart) painter.restart();
+    painter.resize(frame.size);
+  });
+  if (frame.size != before) flicker_ = {};
+}
+
+passes::FrameResult Replay::render(const Frame& frame) {
+  const passes::FrameResult result = painter_->draw(frame);
+  if (run_.firstFrameMs == 0.0) {
+    run_.firstFrameMs = std::chrono::duration<double, std::milli>(Clock::now() - begin_).count();
+  }
+  return result;
+}
+
+Painter* Replay::ordered(const Frame& frame) {
+  if (!passes::methodById(options_.settings.oit.method).isRacy()) return nullptr;
+  if (!ordered_) ordered_.emplace(orderedSettings_, machine_, *gpu_, frame.size);
+  return &*ordered_;
+}
+
+void Replay::warmUp() {
+  const Frame& first = input_.frames().first();
+  for (int i = 0; i < input_.warmup(); ++i) {
+    follow(first);
+    (void)render(first);
+    if (reference_) reference_->draw(first);
+    if (Painter* painter = ordered(first)) painter->draw(first);
+    endIfInterrupted();
+  }
+}
+
+void Replay::draw(const Frame& frame) {
+  follow(frame);
+  const passes::FrameResult result = render(frame);
+  measure::FrameRecord record = recordOf(painter_->renderer(), result);
+  setGaze(record, frame.gaze);
+  painter_->readBack();
+  const std::string sha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
+  record.set("index", frame.index);
+  record.set("time_s", frame.timeSeconds);
+  record.set("image_sha256", sha256);
+  input_.judge({frame, result, painter_->renderer(), sha256}, record);
+  const auto write = [&](const Painter& painter, std::string_view stem) {
+    if (options_.images.empty()) return;
+    painter.write(output_, stem, static_cast<int>(frame.index), options_.images);
+  };
+  write(*painter_, "frame");
+  if (Painter* painter = ordered(frame)) {
+    painter->draw(frame);
+    painter->readBack();
+    record.set("hazards", measure::countUnlikePixels(painter->display(), painter_->display()));
+  }
+  if (reference_) {
+    reference_->draw(frame);
+    reference_->readBack();
+    compareWithReference(record, *reference_, *painter_, options_, flicker_);
+    write(*reference_, "reference");
+  }
+  run_.frames.push_back(std::move(record));
+}
+
+void Replay::run() {
+  warmUp();
+  endIfInterrupted();
+  ProgressBar progress("replay", static_cast<int>(input_.frames().count()));
+  playFrames(input_.frames(), progress, [this](const Frame& frame) { draw(frame); });
+}
+
+void Replay::finish() {
+  const std::size_t asked = input_.frames().count();
+  run_.interrupted = run_.frames.size() < asked;
+  describeRun(run_, input_.sceneName(), options_, machine_, painter_->renderer(),
+              painter_->renderer().outputSize());
+  input_.describe(run_);
+  const nlohmann::ordered_json report = measure::toJson(run_);
+  const std::filesystem::path file = output_.file("report.json");
+  writeFileAtomically(file, report.dump(2) + "\n");
+  writeJson(options_.json, report);
+  if (options_.json != "-") {
+    fmt::print("{}\nreport: {}\n", input_.summary(report), file.string());
+  }
+  if (run_.interrupted) {
+    throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",
+                                  run_.frames.size(), asked, file.string()));
+  }
+  input_.finish();
 }
 
 }  // namespace
 
 void replay(ReplayOptions& options) {
-  std::error_code error;
+  const Clock::time_point begin = Clock::now();
   const InterruptGuard guard;
-  if (std::filesystem::is_directory(options.scene, error)) return replayRecording(options);
-  const auto begin = Clock::now();
-  const glm::ivec2 size = parseSize(options.size);
+  std::error_code error;
+  std::optional<recording::Recording> recorded;
+  if (std::filesystem::is_directory(options.scene, error)) recorded = readForReplay(options);
+  const glm::ivec2 size = recorded ? glm::ivec2(0) : parseSize(options.size);
   OutputFolder output(options.out, "replay", options.force);
-  const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
-  const auto trueGaze = gaze::parseGazeSpec(options.gaze, gaze::undelayed(options.gazeSettings));
-  LoadedScene loaded = loadForRendering(options.scene, options.settings);
-  const FollowedGaze followed(*gazeSource, options.gazeSettings);
-  followed.printWarnings();
-  const scene::CameraPath path = parseCameraSpec(options.camera, loaded.scene);
-  printWarnings(loaded.scene, path.at(0.0), aspectOf(size));
-  const nlohmann::ordered_json provenance = provenanceOfFrames(options);
-
-  passes::RenderSettings settings = options.settings;
-  settings.tonemap.linearOut = options.reference || options.images == "exr";
-  const passes::RenderSettings referenceSettings = passes::referenceOf(settings);
-  const passes::RenderSettings turnsSettings = withTurns(settings);
-
-  const window::HeadlessContext context(platformOf(options.platform));
-  passes::Machine machine;
-  const scene::GpuScene gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr);
-  loaded.scene = {};  // it is in GPU memory now
-  loaded.environment.reset();
-  Painter painter(settings, machine, gpu, size);
-  std::optional<Painter> reference;
-  if (options.reference) reference.emplace(referenceSettings, machine, gpu, size);
-
-  std::optional<Painter> turns;
-  if (passes::methodById(settings.oit.method).isRacy()) {
-    turns.emplace(turnsSettings, machine, gpu, size);
-  }
-
-  measure::RunRecord run;
-  run.provenance = provenance;
-  run.loadMs = loaded.loadMs;
-  const auto noteFirstFrame = [&] {
-    if (run.firstFrameMs == 0.0) run.firstFrameMs = millisecondsSince(begin);
-  };
-  const gaze::PointOfInterest first = gazeSource->at(0.0);
-  for (int i = 0; i < options.warmup; ++i) {
-    painter.draw(path.at(0.0), first, false);
-    if (reference) reference->draw(path.at(0.0), first, false);
-    if (turns) turns->draw(path.at(0.0), first, false);
-    noteFirstFrame();
-    endIfInterrupted();
-  }
-  endIfInterrupted();
-
-  measure::FlickerMeter flicker;
-  ProgressBar progress("replay", options.frames);
-  double previous = 0.0;
-  for (int i = 0; i < options.frames; ++i) {
-    const double time = i / options.fps;
-    const gaze::PointOfInterest point = gazeSource->at(time);
-    const bool cut = i > 0 && path.cutAt(previous, time);
-    const scene::Camera camera = path.at(time);
-    measure::FrameRecord record = recordOf(painter.draw(camera, point, cut), point);
-    if (followed.hasDegrees()) {
-      record.gazeErrorDegrees = gaze::pointError(point, trueGaze->at(time), followed.display());
-    }
-    noteFirstFrame();
-    painter.readBack();
-    record.index = i;
-    record.timeSeconds = time;
-    record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter.display().pixels)));
-    if (!options.images.empty()) painter.write(output, "frame", i, options.images);
-    if (turns) {
-      turns->draw(camera, point, cut);
-      turns->readBack();
-      record.hazards = measure::countUnlikePixels(turns->display(), painter.display());
-    }
-    if (reference) {
-      reference->draw(camera, point, cut);
-      reference->readBack();
-      compareWithReference(record, *reference, painter, options, flicker);
-      if (!options.images.empty()) reference->write(output, "reference", i, options.images);
-    }
-    run.frames.push_back(std::move(record));
-    previous = time;
-    progress.advance();
-    if (interruptAsked()) break;
-  }
-  progress.end();
-  run.interrupted = run.frames.size() < static_cast<std::size_t>(options.frames);
-
-  describeRun(run, options.scene, options, machine, painter.renderer(), size);
-  nlohmann::ordered_json report = measure::toJson(run);
-  report["gaze_log"] = followed.toJson();
-  report["summary"]["gaze_error_deg"]["basis"] = followed.errorBasis();
-  const std::filesystem::path file = output.file("report.json");
-  writeFileAtomically(file, report.dump(2) + "\n");
-  writeJson(options.json, report);
-  followed.printEnd(options.fps, options.frames);
-  if (options.json != "-") printSummary(options, report);
-  if (run.interrupted) {
-    throw Interrupted(fmt::format("interrupted after {} of {} frames; they are in {}",
-                                  run.frames.size(), options.frames, file.string()));
-  }
+  const std::unique_ptr<ReplayInput> input =
+      recorded ? openRecording(options, std::move(*recorded)) : openPath(options, size);
+  Replay run(options, *input, output, begin);
+  run.run();
+  run.finish();
 }
 
 }  // namespace macula::tools

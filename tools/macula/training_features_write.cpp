@@ -87,14 +87,15 @@ class SceneViews {
     };
   }
 
-  void addView(Rows& rows, std::size_t view, const scene::Camera& camera) {
-    constexpr glm::vec2 kCentre(0.5F);
-    const passes::FrameResult result = exact_.render(camera, kCentre);
+  void addView(Rows& rows, const recording::Frame& frame) {
+    const std::size_t view = frame.index;
+    const auto draw = [&](passes::FrameRenderer& renderer) {
+      return renderer.render(frame.camera, frame.gaze);
+    };
+    const passes::FrameResult result = draw(exact_);
     if (!result.exact)
       failInput("features: a view holds more fragments than fit; use a smaller --size");
-    static_cast<void>(opaque_.render(camera, kCentre));
-    static_cast<void>(thesis_.render(camera, kCentre));
-    static_cast<void>(learned_.render(camera, kCentre));
+    for (passes::FrameRenderer* renderer : {&opaque_, &thesis_, &learned_}) (void)draw(*renderer);
     const measure::FragmentImage image = passes::readFragments(exact_, opaque_);
     const std::vector<float> thesis = passes::readFeatures(thesis_, opaque_, machine_.programs);
     const std::vector<float> learned = passes::readFeatures(learned_, opaque_, machine_.programs);
@@ -152,13 +153,13 @@ class SceneViews {
 };
 
 /// The scene's own camera first, where it has one; the others evenly around it.
-std::vector<scene::Camera> camerasOf(const scene::Scene& scene, int views) {
+recording::ListedFrames viewsOf(const scene::Scene& scene, int views, glm::ivec2 size) {
   std::vector<scene::Camera> cameras;
   if (!scene.cameras.empty()) cameras.push_back(parseCameraSpec("scene", scene).at(0.0));
   const scene::CameraPath orbit = parseCameraSpec("auto", scene);
   const int around = views - static_cast<int>(cameras.size());
   for (int i = 0; i < around; ++i) cameras.push_back(orbit.at(scene::kOrbitSeconds * i / around));
-  return cameras;
+  return {cameras, size};
 }
 
 void writeScene(const FeaturesOptions& o, const FeaturesScene& scene, const Rows& rows) {
@@ -219,12 +220,10 @@ void writeFeatures(const FeaturesOptions& o) {
     }
     Rows rows;
     SceneViews views(o, machine, gpu);
-    const std::vector<scene::Camera> cameras = camerasOf(loaded.scene, o.views);
-    for (std::size_t i = 0; i < cameras.size() && !interruptAsked(); ++i) {
-      views.addView(rows, i, cameras[i]);
-      progress.advance();
-    }
-    if (rows.viewFragments.size() < cameras.size()) break;
+    recording::ListedFrames frames = viewsOf(loaded.scene, o.views, parseSize(o.size));
+    playFrames(frames, progress,
+               [&](const recording::Frame& frame) { views.addView(rows, frame); });
+    if (rows.viewFragments.size() < frames.count()) break;
     if (written.empty()) output.begin();  // scenes of earlier calls stay
     writeScene(o, scene, rows);
     written.push_back(

@@ -74,7 +74,7 @@ class GazepointParser final : public TableParser {
     return static_cast<double>(*hertz);
   }
 
-  /// TIME begins anew with each medium: then the clock goes on by the interval before. TIMETICK
+  /// TIME begins again with each medium: then the clock goes on by the interval before. TIMETICK
   /// does not. Nothing where restarts have added up to more than a clock can hold.
   std::optional<std::int64_t> carriedOn(std::int64_t time) {
     if (tick_ != kAbsent) return time;

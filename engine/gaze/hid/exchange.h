@@ -23,7 +23,7 @@ class Exchange {
   };
 
   /// Starts a thread that keeps the exchange and the link alive until its last request has ended,
-  /// and that nobody waits for.
+  /// and that is not waited for.
   static std::shared_ptr<Exchange> start(std::shared_ptr<const HidrawLink> link,
                                          const TrackerLayout& layout);
 

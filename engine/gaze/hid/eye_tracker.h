@@ -23,8 +23,7 @@ inline constexpr double kSilentSeconds = 0.1;
 /// One gaze report as it came.
 struct HidSample {
   double hostSeconds = 0.0;  ///< when it was read: std::chrono::steady_clock since its epoch
-  /// By the device's clock. Absent until half a second of it has agreed with the host's, and where
-  /// it is of no use (see DeviceClock).
+  /// By the device's clock, as it says; whether to believe it is ClockJudge's to say.
   std::optional<double> deviceSeconds;
   glm::dvec2 position = kNoPosition;  ///< 0..1 of the calibrated display from the top left, or NaN
   bool valid = false;                 ///< there is a position and the device believes in it

@@ -26,7 +26,7 @@ void writeRaw(const Scalar& scalar, std::uint64_t raw, std::span<std::uint8_t> b
 
 /// What one gaze report says.
 struct HidGazeReport {
-  std::optional<double> deviceSeconds;  ///< as the descriptor means it; see DeviceClock
+  std::optional<double> deviceSeconds;  ///< as the descriptor means it; see ClockJudge
   glm::dvec2 position = kNoPosition;    ///< 0..1 of the calibrated display from the top left
   std::optional<glm::dvec3> leftEyeMm;  ///< from the display's upper left, as the device says
   std::optional<glm::dvec3> rightEyeMm;

@@ -55,12 +55,11 @@ Session::Taken Session::take(std::span<const std::uint8_t> bytes, double hostSec
     calibrated_ = true;
   }
   if (taken.kind != ReportClass::Gaze) return taken;
-  const DeviceClock::Verdict before = clock_.verdict();
   taken.sample = {.hostSeconds = hostSeconds,
-                  .deviceSeconds = clock_.check(hostSeconds, gaze.deviceSeconds),
+                  .deviceSeconds = gaze.deviceSeconds,
                   .position = gaze.position,
                   .valid = gaze.valid};
-  taken.news = !hasStreamed_ || clock_.verdict() != before;
+  taken.news = !hasStreamed_;
   hasStreamed_ = true;
   return taken;
 }
@@ -74,9 +73,6 @@ std::string Session::note(std::string_view first) const {
   add(textOf(decoder_.condition().status));
   add(problem_);
   add(screenNote_);
-  if (clock_.verdict() == DeviceClock::Verdict::Wrong) {
-    add("its timestamps do not follow the time, so those of the host are used");
-  }
   return note;
 }
 

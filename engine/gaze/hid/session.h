@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "engine/gaze/hid/choice.h"
-#include "engine/gaze/hid/device_clock.h"
 #include "engine/gaze/hid/eye_tracker.h"
 #include "engine/gaze/hid/report.h"
 
@@ -47,7 +46,6 @@ class Session {
 
  private:
   ReportDecoder decoder_;
-  DeviceClock clock_;
   std::optional<glm::dvec2> expectedScreenMm_;  ///< where the device does not tell
   std::optional<glm::dvec2> screenMm_;
   std::string screenNote_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 
@@ -45,25 +46,23 @@ void CameraControl::advance(const FlyCamera::Motion& motion, float seconds) {
 }
 
 void CameraControl::playOn(float seconds) {
-  const double before = time_;
-  time_ += static_cast<double>(seconds);
-  cut_ = cut_ || played_->cutAt(before, time_);
-  camera_ = played_->at(time_);
+  const scene::PathPlayer::Moment moment =
+      played_->moveTo(played_->time() + static_cast<double>(seconds));
+  cut_ = cut_ || moment.cut;
+  camera_ = moment.camera;
   const bool repeats = pathName_ == "auto";
-  if (!repeats && time_ >= played_->duration()) stopPlaying();
+  if (!repeats && played_->time() >= pathSeconds()) stopPlaying();
 }
 
 void CameraControl::play(const std::string& spec) {
   const std::string name = spec.empty() ? pathName_ : spec;
   scene::CameraPath path = orbit_;
   if (name != "auto") {
-    path = scene::readCameraPath(name);
+    path = readCamera(name);
     path.fitPlanes(bounds_);
   }
   pathName_ = name;
-  played_ = std::move(path);
-  time_ = 0.0;
-  camera_ = played_->at(0.0);
+  camera_ = played_.emplace(path).moveTo(0.0).camera;
   cut_ = true;
 }
 

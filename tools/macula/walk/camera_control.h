@@ -23,15 +23,17 @@ class CameraControl {
   void reset();
   void scaleSpeed(float factor) { fly_.scaleSpeed(factor); }
 
-  /// @param spec `auto` for the orbit, or a file; empty: what was played or recorded last
-  /// @throws InputError where the file is no camera path
+  /// @param spec `auto` for the orbit, a path file or a recording; empty: what was played or
+  /// recorded
+  ///   last
+  /// @throws InputError as readCamera()
   void play(const std::string& spec);
   void stopPlaying();
   [[nodiscard]] bool playing() const { return played_.has_value(); }
   /// What plays, or would play next: "auto" or a file.
   [[nodiscard]] const std::string& pathName() const { return pathName_; }
-  [[nodiscard]] double playedSeconds() const { return time_; }
-  [[nodiscard]] double pathSeconds() const { return played_ ? played_->duration() : 0.0; }
+  [[nodiscard]] double playedSeconds() const { return played_ ? played_->time() : 0.0; }
+  [[nodiscard]] double pathSeconds() const { return played_ ? played_->path().duration() : 0.0; }
 
   void startRecording();
   [[nodiscard]] bool recording() const { return recording_; }
@@ -53,9 +55,8 @@ class CameraControl {
   scene::Camera camera_;
   scene::CameraPath orbit_{scene::Camera{}};
   scene::Bounds bounds_;
-  std::optional<scene::CameraPath> played_;
+  std::optional<scene::PathPlayer> played_;
   std::string pathName_ = "auto";
-  double time_ = 0.0;  ///< along the path
   bool cut_ = false;
   bool recording_ = false;
   double recordedTime_ = 0.0;

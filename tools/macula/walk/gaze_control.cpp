@@ -44,7 +44,7 @@ void GazeControl::poll() {
     try {
       opened = job_.take();
     } catch (const InputError&) {
-      if (wanted) throw;  // of a source that nobody waits for any more, nobody need know
+      if (wanted) throw;  // an error of a source that is no longer wanted is not shown
     }
     if (wanted) {
       delay_ = {};

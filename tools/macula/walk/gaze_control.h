@@ -34,7 +34,7 @@ class GazeControl {
   /// To be called once a frame. @throws InputError where a source could not be opened
   void poll();
 
-  /// Opens the present source anew, as after a change of its settings.
+  /// Opens the present source again, as after a change of its settings.
   void reopen();
 
   /// Where the pointer is, 0..1 of the window; counts while the mouse is the source.

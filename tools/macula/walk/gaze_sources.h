@@ -20,7 +20,7 @@ struct GazeSources {
   /// The devices that are there now. Called on a thread of its own, about once a second.
   std::function<std::vector<GazeChoice>()> devices = [] { return std::vector<GazeChoice>{}; };
   /// Makes any source but the mouse. Called on a thread of its own, because logs may be large.
-  /// @throws InputError naming the mend
+  /// @throws InputError naming the fix
   std::function<std::unique_ptr<gaze::GazeSource>(const std::string& spec,
                                                   const gaze::GazeSettings& settings)>
       open;

@@ -38,7 +38,7 @@ struct RecordedFrame {
 
 class WalkRecorder {
  public:
-  /// Writes the session and lets the renderer begin anew, so that a recording may begin at any
+  /// Writes the session and restarts the renderer, so that a recording may begin at any
   /// time; readDisplay() has nothing to read until the next frame.
   /// @param registry of the renderer's settings; must outlive the recorder
   /// @throws InputError where the folder holds a recording or cannot be written

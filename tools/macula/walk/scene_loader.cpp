@@ -87,7 +87,7 @@ std::optional<ReadyScene> SceneLoader::poll() {
     try {
       (void)job_.take();
     } catch (const std::exception&) {
-      // Nobody waits for it any more.
+      // It is no longer wanted.
     }
     if (wanted_) start();
     return {};

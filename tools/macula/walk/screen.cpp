@@ -37,7 +37,7 @@ void Screen::clear(glm::vec3 color) const {
 }
 
 void Screen::show(const gl::Texture& image, const PixelRect& part, glm::ivec2 place) const {
-  // Attached anew each time: after a resize another texture may bear the same name.
+  // Attached again each time: after a resize another texture may bear the same name.
   glNamedFramebufferTexture(source_.id(), GL_COLOR_ATTACHMENT0, image.id(), 0);
   // The image was written by image stores.
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);

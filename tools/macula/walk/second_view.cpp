@@ -67,18 +67,18 @@ void SecondView::makeRenderer(const FrameEvents& events, const scene::GpuScene& 
 void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, bool firstChanged) {
   std::optional<ui::SettingChange> change = panel_.takeChange();
   copyShared(first_, settings_);
-  const auto draw = [&](bool anew) {
+  const auto draw = [&](bool changed) {
     if (!renderer_) {
       makeRenderer(events, gpu);
-    } else if (anew) {
+    } else if (changed) {
       renderer_->resize(events.pictureSize);
     }
     result_ = renderer_->render(events.camera, events.gaze, events.cut);
   };
-  bool anew = firstChanged || change;
+  bool changed = firstChanged || change;
   for (;;) {
     try {
-      draw(anew);
+      draw(changed);
       time_.add(settings_.oit.method, result_.totalMs);
       return;
     } catch (const InputError& error) {
@@ -87,7 +87,7 @@ void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, b
       if (change->cycled && change->advance()) continue;
       change->undo();
       change.reset();
-      anew = true;
+      changed = true;
     }
   }
 }

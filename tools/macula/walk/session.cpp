@@ -3,20 +3,13 @@
 #define GLFW_INCLUDE_NONE  // OpenGL is declared by the loader
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "common.h"
-#include "engine/core/error.h"
 #include "engine/image/image.h"
-#include "engine/recording/scene_source.h"
 #include "engine/recording/writer.h"
-#include "engine/ui/widgets.h"
-#include "walk/command_text.h"
-#include "walk/file_names.h"
-#include "walk/gaze_cursor.h"
 #include "walk/report.h"
 
 namespace macula::tools {
@@ -53,7 +46,7 @@ WalkSession::WalkSession(WalkOptions& options, window::Window& window, GazeSourc
       panels_(options.registry, !options.hidePanels, options.panel) {
   gaze_.cursorShown = !options.hidePanels;
   if (!options.camera.empty() && options.camera != "auto" && options.camera != "scene") {
-    (void)scene::readCameraPath(options.camera);  // what is wrong with it is said at once
+    (void)readCamera(options.camera);  // an error in it is reported at once
   }
   gaze_.choose(options.gaze);
   window.onDrop([this](const std::vector<std::string>& paths) {
@@ -203,61 +196,13 @@ void WalkSession::followPointer() {
   glm::vec2 pointer = window_.pointer();
   const bool inside = glm::all(glm::greaterThanEqual(pointer, glm::vec2(0.0F))) &&
                       glm::all(glm::lessThanEqual(pointer, glm::vec2(1.0F)));
-  // Until the pointer has been in the window, nobody can have meant anything by it.
+  // Until the pointer has been in the window, its place means nothing.
   pointerSeen_ = pointerSeen_ || inside;
   // Side by side, either half is a whole picture.
   if (inside && second_->mode() == ViewMode::SideBySide) {
     pointer.x = std::min(2.0F * pointer.x - (pointer.x >= 0.5F ? 1.0F : 0.0F), 1.0F);
   }
   if (pointerSeen_) gaze_.movePointer(pointer, events_.timeSeconds);
-}
-
-void WalkSession::drawOverlays() {
-  // The UI counts in screen coordinates, which the content scale may tell from pixels.
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const glm::vec2 window(display.x, display.y);
-  const glm::vec2 picture = window * glm::vec2(pictureSize_) / glm::vec2(size_);
-  const bool mapShown = errors_.map() != ErrorCheck::Map::None;
-  if (gaze_.cursorShown && !mapShown) {
-    drawGazeCursor(events_.gaze, glm::vec2(0.0F), picture);
-    if (second_->mode() == ViewMode::SideBySide) {
-      drawGazeCursor(events_.gaze, {window.x - picture.x, 0.0F}, picture);
-    }
-  }
-  // Above what stands along the lower edge, where no panel reaches; a message stands higher.
-  constexpr float kNamesEms = 5.0F;
-  constexpr float kNameEms = 2.0F;
-  const float em = ImGui::GetFontSize();
-  const float top = window.y - std::max(kNamesEms * em, panels_.footHeight() + kNameEms * em);
-  if (mapShown) {
-    ui::pictureLabel(fmt::format("{} map of {}; not the live picture",
-                                 errors_.map() == ErrorCheck::Map::Flip ? "FLIP" : "difference",
-                                 errors_.title(scene_.name)),
-                     {0.5F * window.x, top}, 0.5F);
-  } else {
-    second_->drawOverlay(panels_.time(), !ui_.wantsPointer(), top);
-  }
-  recordings_.clear();
-  if (recorder_) {
-    recordings_.push_back(
-        fmt::format("recording into {}: {}", options_.record, recorder_->facts()));
-  }
-  if (camera_.recording()) {
-    recordings_.push_back(fmt::format("recording the camera's path: {:.1f} s, {}; L ends it",
-                                      camera_.recordedSeconds(),
-                                      ui::numberOf(camera_.recordedKeys(), "key")));
-  }
-  const bool labelled = mapShown || second_->shown();
-  const PanelInput input{events_,     *renderer_,
-                         result_,     options_.settings,
-                         scene_,      camera_,
-                         gaze_,       *second_,
-                         errors_,     *control_,
-                         rate_,       panels_.time(),
-                         recordings_, labelled ? top : window.y};
-  panels_.draw(input, requests_);
-  if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
-  if (panels_.drawMessage(message_ ? &*message_ : nullptr, top - em)) message_.reset();
 }
 
 void WalkSession::finish() {
@@ -292,57 +237,6 @@ void WalkSession::placeGaze() {
                .clientOrigin = p.clientOrigin,
                .clientSize = p.clientSize,
                .pixelsPerUnit = p.pixelsPerUnit});
-}
-
-void WalkSession::beginRecording() {
-  recorder_.emplace(recordStartOf(options_, window_), options_.registry, *machine_, *renderer_);
-  gaze_.onSample([this](const gaze::GazeSample& sample) { recorder_->raw(sample); });
-}
-
-void WalkSession::record() {
-  // A scene that was loaded anew may be another by its settings, or by what is in its file now.
-  std::optional<recording::SceneSource> scene;
-  try {
-    if (events_.sceneChanged && recorder_->frames() > 0) {
-      scene = recording::sourceOf(events_.scene);
-    }
-    recorder_->frame({.timeSeconds = events_.timeSeconds,
-                      .scene = scene ? &*scene : nullptr,
-                      .r = result_.resizeFactor},
-                     *renderer_);
-  } catch (const InputError& error) {
-    // A full disk or a vanished file ends the recording, not the walk.
-    say(fmt::format("the recording has ended: {}", error.what()), true);
-    endRecording(error.what());
-  }
-}
-
-void WalkSession::endRecording(const std::string& reason) {
-  if (!recorder_) return;
-  gaze_.onSample({});
-  const std::string folder = std::filesystem::path(options_.record).lexically_normal().string();
-  summary_ = fmt::format("recorded: {}: {}\n", folder, recorder_->facts());
-  if (!reason.empty()) summary_ += fmt::format("ended early: {}\n", oneLine(reason));
-  if (recorder_->frames() > 0) {
-    std::filesystem::path out =
-        folder.ends_with('/') ? folder.substr(0, folder.size() - 1) : folder;
-    out += "_replay";
-    summary_ += fmt::format("replay: macula replay {} --out {}\n", asArgument(folder),
-                            asArgument(out.string()));
-  }
-  recorder_.reset();
-}
-
-void WalkSession::sumUpRecordings() {
-  endRecording({});
-  // Standard output may be the report's.
-  std::FILE* out = options_.json == "-" ? stderr : stdout;
-  fmt::print(out, "{}", summary_);
-  if (!camera_.recording() || camera_.recordedKeys() == 0) return;
-  const std::filesystem::path file = nextFreeName("camera", "csv");
-  camera_.finishRecording(file);
-  fmt::print(out, "camera path: {}: {:.1f} s, {}\n", file.string(), camera_.recordedSeconds(),
-             ui::numberOf(camera_.recordedKeys(), "key"));
 }
 
 void walk(WalkOptions& options) {

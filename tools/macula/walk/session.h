@@ -61,15 +61,17 @@ class WalkSession {
   void steer(float seconds);
   void followPointer();
   void placeGaze();
+  void finish();
+  [[nodiscard]] bool busy() const;
+
+  // session_record.cpp: what is recorded
   void beginRecording();
   void record();
   void endRecording(const std::string& reason);
   void sumUpRecordings();
-  void drawOverlays();
-  void finish();
-  [[nodiscard]] bool busy() const;
 
-  // session_draw.cpp: rendering, stills, and what is taken back where the machine refuses
+  // session_draw.cpp: rendering, overlays, stills, and what is undone where the device refuses
+  void drawOverlays();
   void draw();
   void drawFirst();
   bool takeBack(const InputError& error);
@@ -136,7 +138,7 @@ class WalkSession {
   std::optional<CpuTimes> unnoted_;  ///< of the last frame, until it is known how long it lasted
   FrameEvents events_;
   std::optional<ui::SettingChange> change_;
-  std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded anew for
+  std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded again for
   std::optional<Message> message_;
   std::string lastMessage_;  ///< stays for the report
   Requests requests_;

@@ -1,11 +1,15 @@
-// WalkSession: rendering, what is taken back where the machine refuses, and stills.
+// WalkSession: rendering, what is undone where the device refuses, overlays and stills.
 #include <fmt/format.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
 #include "engine/core/error.h"
 #include "engine/image/image.h"
+#include "engine/ui/widgets.h"
+#include "walk/gaze_cursor.h"
 #include "walk/session.h"
 #include "walk/still.h"
 
@@ -48,7 +52,7 @@ bool WalkSession::takeBack(const InputError& error) {
   if (change_) {
     panels_.settings().setRefusal(error.what());
     say(error.what(), true);
-    // Whoever asks for the next method wants the next that can be had.
+    // A request for the next method means the next one that can be drawn.
     if (change_->cycled && change_->advance()) return true;
     change_->undo();
     std::erase(events_.changed, change_->entry);
@@ -94,6 +98,54 @@ void WalkSession::compose() {
     second_->compose(screen_, *renderer_, size_);
     legends_.show(screen_, *renderer_, *second_, size_);
   }
+}
+
+void WalkSession::drawOverlays() {
+  // The UI counts in screen coordinates, which the content scale may tell from pixels.
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const glm::vec2 window(display.x, display.y);
+  const glm::vec2 picture = window * glm::vec2(pictureSize_) / glm::vec2(size_);
+  const bool mapShown = errors_.map() != ErrorCheck::Map::None;
+  if (gaze_.cursorShown && !mapShown) {
+    drawGazeCursor(events_.gaze, glm::vec2(0.0F), picture);
+    if (second_->mode() == ViewMode::SideBySide) {
+      drawGazeCursor(events_.gaze, {window.x - picture.x, 0.0F}, picture);
+    }
+  }
+  // Above what stands along the lower edge, where no panel reaches; a message stands higher.
+  constexpr float kNamesEms = 5.0F;
+  constexpr float kNameEms = 2.0F;
+  const float em = ImGui::GetFontSize();
+  const float top = window.y - std::max(kNamesEms * em, panels_.footHeight() + kNameEms * em);
+  if (mapShown) {
+    ui::pictureLabel(fmt::format("{} map of {}; not the live picture",
+                                 errors_.map() == ErrorCheck::Map::Flip ? "FLIP" : "difference",
+                                 errors_.title(scene_.name)),
+                     {0.5F * window.x, top}, 0.5F);
+  } else {
+    second_->drawOverlay(panels_.time(), !ui_.wantsPointer(), top);
+  }
+  recordings_.clear();
+  if (recorder_) {
+    recordings_.push_back(
+        fmt::format("recording into {}: {}", options_.record, recorder_->facts()));
+  }
+  if (camera_.recording()) {
+    recordings_.push_back(fmt::format("recording the camera's path: {:.1f} s, {}; L ends it",
+                                      camera_.recordedSeconds(),
+                                      ui::numberOf(camera_.recordedKeys(), "key")));
+  }
+  const bool labelled = mapShown || second_->shown();
+  const PanelInput input{events_,     *renderer_,
+                         result_,     options_.settings,
+                         scene_,      camera_,
+                         gaze_,       *second_,
+                         errors_,     *control_,
+                         rate_,       panels_.time(),
+                         recordings_, labelled ? top : window.y};
+  panels_.draw(input, requests_);
+  if (loader_.busy()) panels_.drawLoading(loader_, true, requests_);
+  if (panels_.drawMessage(message_ ? &*message_ : nullptr, top - em)) message_.reset();
 }
 
 void WalkSession::takeStills() {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -16,10 +15,6 @@
 
 namespace macula::tools {
 namespace {
-
-/// Settings that go into the scene while it is loaded.
-constexpr std::array<std::string_view, 5> kSceneSettings{
-    "scene.environment", "scene.lighting", "scene.opacity", "scene.order", "frame.seed"};
 
 /// The name after the present one, or the one that is asked for.
 std::size_t chosen(const std::vector<std::string>& names, std::size_t present,
@@ -75,18 +70,19 @@ void WalkSession::noteChange() {
   if (!change) return;
   events_.changed.push_back(change->entry);
   if (change->rival != nullptr) say(change->rivalNote());
-  if (change->entry->group() == "control") return;  // the controller looks for itself
-  if (change->entry->group() == "gaze" || change->entry->group() == "display") {
-    gaze_.reopen();  // no image depends on it but through the point of interest
-    return;
+  switch (change->entry->effect()) {
+    case settings::Effect::Immediate:
+      return;
+    case settings::Effect::ReopensGaze:
+      return gaze_.reopen();
+    case settings::Effect::ReloadsScene:
+      sceneChange_ = change;
+      loadScene(loader_.busy() ? loader_.name() : scene_.name);
+      break;
+    case settings::Effect::DropsHistory:
+      break;
   }
   change_ = std::move(change);
-  // A setting of the scene takes effect by loading it anew.
-  if (std::find(kSceneSettings.begin(), kSceneSettings.end(), change_->entry->key()) !=
-      kSceneSettings.end()) {
-    sceneChange_ = change_;
-    loadScene(loader_.busy() ? loader_.name() : scene_.name);
-  }
 }
 
 void WalkSession::grant(const Request& request) {
