@@ -21,7 +21,7 @@ import tempfile
 from documents import SOURCE, difference, fences, pages
 
 MACULA = os.path.abspath(sys.argv[1])
-LEAST_COMMANDS = 30
+LEAST_COMMANDS = 25
 
 
 def keys(text):
