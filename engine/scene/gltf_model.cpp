@@ -4,8 +4,10 @@
 #define TINYGLTF_IMPLEMENTATION
 #include <fstream>  // which tiny_gltf.h needs and, without its own file access, does not include
 
+#include <string_view>
 #include <vector>
 
+#include "engine/scene/gltf_accessors.h"
 #include "engine/scene/gltf_document.h"
 #include "engine/scene/gltf_json.h"
 
@@ -89,21 +91,30 @@ class ModelReader {
   Document& document_;
 };
 
-/// Draco's bytes are not read, but a file may hold the same vertices without it.
-void refuseDraco(const Document& document) {
-  const auto& accessors = document.model.accessors;
+/// Whether the vertices of a primitive stand in the file only as Draco's bytes, which are not read.
+bool needsDraco(const Document& document, const tinygltf::Primitive& primitive,
+                std::string_view place) {
+  const auto position = primitive.attributes.find("POSITION");
+  return primitive.extensions.contains("KHR_draco_mesh_compression") &&
+         position != primitive.attributes.end() &&
+         accessorAt(document, position->second, place).bufferView == kNone;
+}
+
+/// Checks what would make even a mesh that is not drawn malformed.
+void checkMeshes(const Document& document) {
   for (std::size_t m = 0; m < document.model.meshes.size(); ++m) {
-    for (const tinygltf::Primitive& primitive : document.model.meshes[m].primitives) {
-      const auto position = primitive.attributes.find("POSITION");
-      if (!primitive.extensions.contains("KHR_draco_mesh_compression") ||
-          position == primitive.attributes.end() || position->second < 0 ||
-          static_cast<std::size_t>(position->second) >= accessors.size() ||
-          accessors[static_cast<std::size_t>(position->second)].bufferView != kNone) {
-        continue;
+    const std::vector<tinygltf::Primitive>& primitives = document.model.meshes[m].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const tinygltf::Primitive& primitive = primitives[i];
+      const std::string place = fmt::format("mesh {} primitive {}", m, i);
+      if (needsDraco(document, primitive, place)) {
+        document.fail(place,
+                      "is compressed with KHR_draco_mesh_compression, which Macula does not read; "
+                      "export the file without it");
       }
-      document.fail(fmt::format("mesh {}", m),
-                    "is compressed with KHR_draco_mesh_compression, which Macula does not read; "
-                    "export the file without it");
+      if (primitive.indices == kNone) continue;
+      const tinygltf::Accessor& indices = accessorAt(document, primitive.indices, place);
+      static_cast<void>(document.viewBytes(indices.bufferView, place));
     }
   }
 }
@@ -112,7 +123,7 @@ void refuseDraco(const Document& document) {
 
 void readModel(const Json& root, Document& document) {
   ModelReader(root, document).read();
-  refuseDraco(document);
+  checkMeshes(document);
 }
 
 }  // namespace macula::scene::gltf

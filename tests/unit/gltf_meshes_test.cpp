@@ -89,7 +89,15 @@ TEST(GltfMeshes, CompressionByDracoIsNamed) {
   square.draw(primitive);
   EXPECT_EQ(messageOf(square), "") << "the same vertices stand in the file uncompressed";
   square.root["accessors"][square.attributes["POSITION"].get<int>()].erase("bufferView");
-  EXPECT_SAYS(messageOf(square), "test: mesh 0: is compressed with KHR_draco_mesh_compression");
+  EXPECT_SAYS(messageOf(square),
+              "test: mesh 0 primitive 0: is compressed with KHR_draco_mesh_compression");
+}
+
+TEST(GltfMeshes, IndicesOfMeshesThatAreNotDrawnAreChecked) {
+  Square square;
+  square.draw({{"attributes", square.attributes}, {"indices", 7}});
+  square.root.erase("nodes");
+  EXPECT_SAYS(messageOf(square), "test: mesh 0 primitive 0: names accessor 7 of 2");
 }
 
 TEST(GltfMeshes, MalformedReferencesAreRefused) {
