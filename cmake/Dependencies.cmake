@@ -6,12 +6,12 @@ find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
-set(OPENSSL_USE_STATIC_LIBS ON)  # libcrypto for SHA-256 only; static keeps the program portable
+set(OPENSSL_USE_STATIC_LIBS ON)  # libcrypto, for SHA-256 and base64; static keeps the program portable
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
-find_package(ZLIB REQUIRED)  # gzipped gaze logs
-find_package(TinyGLTF REQUIRED)
+find_package(ZLIB REQUIRED)  # gzipped gaze logs, CRC of PNG
+find_package(TinyGLTF REQUIRED)  # its header; engine/scene compiles it
 if(MACULA_WINDOW)
   find_package(glfw3 3.3 REQUIRED)
   pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)

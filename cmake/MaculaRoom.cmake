@@ -17,11 +17,20 @@ if(MACULA_FUZZ)
   # Coverage of the libraries guides the fuzzer; its main() is linked into the targets alone.
   target_compile_options(macula_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+if(MACULA_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # It warns of types in anonymous namespaces that a class of an included file uses; every source of
+  # a unity build is an included file.
+  target_compile_options(macula_options INTERFACE -Wno-subobject-linkage)
+endif()
 if(MACULA_SANITIZE)
   target_compile_options(macula_options INTERFACE -fsanitize=address,undefined
     -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(macula_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# Sources of a unity build that are compiled as one. More would leave processors without work and
+# make the rebuild after a change long.
+set(MACULA_BATCH 12)
 
 # macula_room(NAME SOURCES a.cpp b.cpp DEPENDS room_or_library ...)
 # Makes the static library macula_NAME. What is not listed in DEPENDS cannot be linked, so the
@@ -30,4 +39,5 @@ function(macula_room NAME)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(macula_${NAME} STATIC ${ROOM_SOURCES})
   target_link_libraries(macula_${NAME} PUBLIC macula_options ${ROOM_DEPENDS})
+  macula_unity(macula_${NAME} ${MACULA_BATCH})
 endfunction()

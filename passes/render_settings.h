@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/scene/draw_order.h"
-#include "engine/scene/lighting_override.h"
+#include "engine/scene/material_override.h"
 #include "engine/settings/registry.h"
 #include "passes/heatmap_pass.h"
 #include "passes/lod/settings.h"

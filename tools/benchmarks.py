@@ -1,154 +1,217 @@
 #!/usr/bin/env python3
-"""Turns the results.json of `macula chart` into Markdown.
+"""BENCHMARKS.md, and the numbers that documents quote, from docs/benchmarks/*.csv.
 
-Usage: tools/benchmarks.py OUT/results.json > BENCHMARKS.md
+  tools/benchmarks.py                  writes BENCHMARKS.md and the marked numbers again
+  tools/benchmarks.py --check          changes nothing; status 1 where one of them is not current
+  tools/benchmarks.py --from DIR NAME  takes the results in DIR over as docs/benchmarks/NAME.csv first
+
+DIR is the --out of `macula chart` or of `macula hold --plant`, made by a program that was built from a
+clean commit: results of changed sources cannot be repeated, and are refused.
 """
+import argparse
+import csv
 import json
+import pathlib
+import re
+import statistics
+import subprocess
 import sys
+import tomllib
+
+import benchmark_files as files
+
+PAGE = files.ROOT / "BENCHMARKS.md"
+NOTES = files.FOLDER / "notes.toml"
+# What is kept of results.csv: where a point stands, and the metrics that documents speak of.
+POINT = ["study", "scene", "width", "height", "light", "variant", "label", "budget", "sweep",
+         "status", "ms.transparency", "ms.transparency.p5", "ms.transparency.p95", "ms.shading",
+         "ms.total", "ms.total.p5", "ms.total.p95", "speedup", "shading.shaded_share",
+         "shading.holes_share", "bytes.oit", "bytes.overhead", "fragments.generated",
+         "fragments.loss", "k.mean", "rmse", "psnr_db", "max", "flip", "flip_gaze", "flicker",
+         "path_rmse"]
+CLAIM = ["claim", "papers", "metric", "study", "where", "value", "limit", "state", "reason", "note"]
+INTRO = """# Benchmarks
+
+Made by `tools/benchmarks.py` from the result files in [docs/benchmarks](docs/benchmarks/README.md). A claim is judged on every scene, light and budget of its experiment; each cell is one of them. **Bold** is a miss, and the text says why. `n/a` means that the claim says nothing there, with the reason.
+
+Times are of Mesa's software rasteriser: they say how methods compare on it, not what a GPU needs ([GPU status](docs/gpu-status.md)). The variants of a study draw one frame in turn, so that other load on the machine falls on all alike; a ratio is of the medians of the same rounds. Errors are against `ab-sbuffer`, on display values 0..1.
+"""
 
 
-def number(value, digits=3):
-    return "-" if value is None else f"{value:.{digits}g}"
+def fail(message):
+    sys.exit(f"benchmarks.py: {message}")
 
 
-def mebibytes(value):
-    return "-" if value is None else f"{value / 2**20:.1f}"
+def git(*arguments):
+    return subprocess.run(["git", "-C", files.ROOT, *arguments], capture_output=True, text=True,
+                          check=False)
 
 
-def place(point):
-    """Where a point was measured: scene, size, light, budget."""
-    words = [point["scene"], f"{point['width']}x{point['height']}"]
-    if point.get("light"):
-        words.append("own light" if point["light"] == "own" else point["light"])
-    return " ".join(words)
+def check_commit(path, commit):
+    """Refuses what nobody can measure again."""
+    if not re.fullmatch(r"[0-9a-f]{7,40}", commit):
+        fail(f"{path}: measured by commit '{commit}'; commit the changes, build, and measure again")
+    if git("merge-base", "--is-ancestor", commit, "HEAD").returncode != 0:
+        fail(f"{path}: commit {commit} is no ancestor of HEAD; measure this branch instead")
 
 
-def targets(results):
-    lines = ["## Targets", "", "| what | where | measured | limit | |", "|---|---|---|---|---|"]
-    for row in results["targets"]:
-        state = row["state"] if row["state"] != "missed" else "**missed**"
-        if row.get("reason"):
-            state += f": {row['reason']}"
-        value = number(row["value"]) if row["value"] is not None else row.get("note", "")
-        lines.append(f"| {row['name']} | {row['where']} | {value} | {row['limit']} | {state} |")
-    return lines
+def take_over(folder, name):
+    """Copies the results of one run to docs/benchmarks."""
+    path = pathlib.Path(folder) / "results.json"
+    with open(path, encoding="utf-8") as file:
+        results = json.load(file)
+    check_commit(path, results["commit"])
+    if results.get("interrupted"):
+        fail(f"{path}: the run was interrupted; run the same command again, which finishes it")
+    with open(path.with_name("results.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    command = re.sub(r" --(out|json) \S+", "", results["provenance"]["command"])
+    about = {"commit": results["commit"], "command": command}
+    if "laws" in results:
+        about |= {"title": "Control laws on the simulated GPU", "seeds": results["seeds"]}
+        files.write(files.FOLDER / f"{name}.csv", about, list(rows[0]), rows)
+        return
+    rounds = sorted({point["rounds"] for point in results["points"] if point.get("rounds")})
+    about |= {
+        "title": results["title"], "date": results["date"], "renderer": results["gl"]["renderer"],
+        "version": results["gl"]["version"], "times": results["gl"]["time_source"],
+        "processor": f"{results['machine']['processor']}, {results['machine']['cores']} cores",
+        "sizes": ", ".join(sorted({f"{row['width']}x{row['height']}" for row in rows})),
+        "warm_up_rounds": results["warm_up_rounds"],
+        "rounds": ", ".join(str(r) for r in rounds)}
+    missing = [column for column in POINT if column not in rows[0]]
+    if missing:
+        fail(f"{path.with_name('results.csv')}: no column {', '.join(missing)}")
+    files.write(files.FOLDER / f"{name}.csv", about, POINT, rows)
+    claims = [{**row, "claim": row["name"]} for row in results["targets"]]
+    files.write(files.FOLDER / f"{name}.claims.csv", about, CLAIM, claims)
 
 
-def table(points):
-    floor = {}
-    for point in points:
-        if point["variant"] == "blend" and point.get("ms"):
-            floor[place(point)] = point["ms"]["transparency"]["median"]
-    lines = [
-        "| where | budget | method | transparency ms | / blend | frame ms | RMSE | PSNR dB | FLIP | "
-        "lost | storage MiB | overhead MiB |",
-        "|---|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
-    for point in points:
-        ms = point.get("ms")
-        error = point.get("error") or {}
-        fragments = point.get("fragments") or {}
-        memory = point.get("bytes") or {}
-        if point["status"] == "refused":
-            lines.append(f"| {place(point)} | {point.get('budget') or '-'} | {point['label']} | "
-                         "refused |" + " |" * 8)
-            continue
-        time = ratio = frame = "-"
-        if ms:
-            own = ms["transparency"]
-            time = f"{own['median']:.1f} ({own['p5']:.1f}-{own['p95']:.1f})"
-            frame = f"{ms['total']['median']:.1f}"
-            if place(point) in floor:
-                ratio = f"{own['median'] / floor[place(point)]:.2f}"
-        loss = fragments.get("loss")
-        lines.append("| " + " | ".join([
-            place(point), point.get("budget") or "-", point["label"], time, ratio, frame,
-            f"{error['rmse']:.5f}" if "rmse" in error else "-", number(error.get("psnr_db")),
-            number(error.get("flip")), "-" if loss is None else f"{100 * loss:.1f} %",
-            mebibytes(memory.get("oit")), mebibytes(memory.get("overhead")),
-        ]) + " |")
-    return lines
+def shown(value):
+    return f"{float(value):.3g}"
 
 
-def base_of(results, study):
-    """The variant that a study's speed-ups are over, or None."""
-    return next(s.get("base") for s in results["studies"] if s["id"] == study)
+def cell(row):
+    """A claim at one place: the measured number, bold where it misses."""
+    if row["state"] == "n/a":
+        return f"n/a: {row['reason']}"
+    if row["state"] == "unmeasured":
+        return f"unmeasured: {row['note']}"
+    text = shown(row["value"]) if row["value"] else ", ".join(re.findall(r"[\d.e-]+(?= \()", row["note"]))
+    return f"**{text}**" if row["state"] == "missed" else text
 
 
-def percent(share):
-    return "-" if share is None else f"{100 * share:.1f} %"
+def place(row):
+    """Column and row of a place: "smoke 192x192 four, 1.23 MiB" is smoke, and "four"."""
+    scene, _, rest = row["where"].partition(" ")
+    if row["where"].startswith("mean of"):
+        scene, _, rest = row["where"].partition(", ")
+    rest = re.sub(r"\d+x\d+,? ?|, [\d.]+ MiB", "", rest).strip(" ,")
+    return pathlib.Path(scene).stem, rest
 
 
-def speed_table(points):
-    """Studies with speed-ups: what of the shading is left, and what it costs in accuracy."""
-    lines = [
-        "| where | method | speed-up | frame ms | shading ms | shaded | holes | PSNR dB | RMSE | "
-        "FLIP | FLIP gaze |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
-    for point in points:
-        if point["status"] == "refused":
-            lines.append(f"| {place(point)} | {point['label']} | refused |" + " |" * 8)
-            continue
-        ms = point["ms"]
-        error = point.get("error") or {}
-        shading = point.get("shading") or {}
-        total = ms["total"]
-        speedup = point.get("speedup")
-        psnr = "exact" if error.get("rmse") == 0 else number(error.get("psnr_db"))
-        lines.append("| " + " | ".join([
-            place(point), point["label"], "-" if speedup is None else f"{speedup:.2f}",
-            f"{total['median']:.1f} ({total['p5']:.1f}-{total['p95']:.1f})",
-            f"{ms['shading']['median']:.1f}", percent(shading.get("shaded_share")),
-            percent(shading.get("holes_share")), psnr,
-            f"{error['rmse']:.5f}" if "rmse" in error else "-", number(error.get("flip")),
-            number(error.get("flip_gaze")),
-        ]) + " |")
-    return lines
+def claim_lines(name, rows, notes):
+    """One claim: its limit, what explains its misses, and a table of places."""
+    counts = {state: sum(row["state"] == state for row in rows)
+              for state in ("met", "missed", "n/a", "unmeasured")}
+    summary = ", ".join(f"{n} {state}" for state, n in counts.items() if n)
+    text = f"**{name}** ({rows[0]['metric']} {rows[0]['limit']}): {summary}."
+    if rows[0]["papers"]:
+        text += f" Papers: {rows[0]['papers']}."
+    if counts["missed"]:
+        if name not in notes:
+            raise files.BenchmarkError(f"{NOTES}: the misses of '{name}' are not explained")
+        text += f" *Missed:* {notes[name]}"
+    places = [place(row) for row in rows]
+    columns = list(dict.fromkeys(scene for scene, _ in places))
+    labels = list(dict.fromkeys(label for _, label in places))
+    lines = [text, "", "| | " + " | ".join(columns) + " |", "|---|" + "---|" * len(columns)]
+    for label in labels:
+        cells = ["; ".join(cell(row) for row, at in zip(rows, places) if at == (scene, label)) or "-"
+                 for scene in columns]
+        lines.append(f"| {label} | " + " | ".join(cells) + " |")
+    return [*lines, ""]
 
 
-def path_table(points):
-    """What the points of a study do along the camera's path; nothing where none walked."""
-    walked = [p for p in points if (p.get("path") or {}).get("rmse") is not None]
-    if not walked:
+def heading(about):
+    """How a file was measured, in one line."""
+    text = f"`{about['command']}`, commit {about['commit']}"
+    if "renderer" in about:
+        text += (f", {about['date']}; {about['renderer']}, {about['version']}; {about['processor']}; "
+                 f"{about['sizes']}; {about['warm_up_rounds']} rounds of warm-up, then {about['rounds']}")
+    return ["", f"## {about['title']}", "", text + ".", ""]
+
+
+def spread_lines(rows):
+    """How far the times of a run spread, so that a reader knows what a ratio is worth; nothing where every
+    point was measured once."""
+    spreads = [(float(row["ms.total.p95"]) - float(row["ms.total.p5"])) / float(row["ms.total"])
+               for row in rows if row["ms.total.p5"] and row["ms.total"] != row["ms.total.p5"]]
+    if not spreads:
         return []
-    first = walked[0]["path"]
-    lines = ["", f"Along the camera's path, {first['frames']} frames of {first['fps']:g} a second:", "",
-             "| where | budget | method | flicker | RMSE |", "|---|---|---|---|---|"]
-    for point in walked:
-        lines.append(f"| {place(point)} | {point.get('budget') or '-'} | {point['label']} | "
-                     f"{point['path']['flicker']:.5f} | {point['path']['rmse']:.5f} |")
+    return [f"Frame times of a point spread, from the 5th to the 95th percentile, by "
+            f"{statistics.median(spreads):.0%} of its median (median of {len(spreads)} points).", ""]
+
+
+def plant_lines(about, rows):
+    """The laws on the simulated GPU: how the load doubling is met, and how often r swings."""
+    lines = heading(about)
+    lines += [f"Frames from a doubled load to a settled time, later frames more than 2 % over the target, and "
+              f"pixels in shares of the ideal's: {about['seeds']} seeds. Limit cycles: of all cases of the protocol.",
+              "", "| law | settled after | over | pixels | limit cycles |", "|---|---|---|---|---|"]
+    for law in dict.fromkeys(row["law"] for row in rows):
+        own = [row for row in rows if row["law"] == law]
+        step = next(row for row in own if row["case"] == "work-doubles")
+        cycles = sum(row["limit_cycle"] == "true" for row in own)
+        settled = f"{step['settle_frames']} frames" if step["settle_frames"] else "never"
+        lines.append(f"| `{law}` | {settled} | {100 * float(step['over_share']):.1f} % | "
+                     f"{100 * float(step['used_pixels']):.0f} % | {cycles} of {len(own)} |")
     return lines
+
+
+def page():
+    """BENCHMARKS.md as the files have it."""
+    notes = tomllib.loads(NOTES.read_text(encoding="utf-8"))
+    lines = INTRO.rstrip("\n").split("\n")
+    for path in sorted(files.FOLDER.glob("*.csv")):
+        about, rows = files.read(path.name)
+        if "law" in rows[0]:
+            lines += plant_lines(about, rows)
+        elif path.name.endswith(".claims.csv"):
+            lines += heading(about)
+            points = path.name.replace(".claims", "")
+            lines += spread_lines(files.read(points)[1])
+            for name in dict.fromkeys(row["claim"] for row in rows):
+                own = [row for row in rows if row["claim"] == name]
+                lines += claim_lines(name, own, notes.get(path.name.split(".")[0], {}))
+            lines.pop()
+    if notes["unmeasured"]["text"]:
+        lines += ["", "## Not measured by this version", "", notes["unmeasured"]["text"].strip()]
+    return "\n".join(lines) + "\n"
 
 
 def main():
-    with open(sys.argv[1], encoding="utf-8") as file:
-        results = json.load(file)
-    machine = results["machine"]
-    gl = results["gl"]
-    rounds = sorted({point["rounds"] for point in results["points"] if point.get("rounds")})
-    lines = [
-        "# Benchmarks", "",
-        f"Made by `tools/benchmarks.py` from the results of `macula chart`: {results['title']}. "
-        f"Commit {results['commit']}, {results['date']}, on {gl['renderer']} ({gl['version']}), "
-        f"{machine['processor']}, {machine['cores']} cores. The methods of a study draw one frame "
-        f"in turn, {results['warm_up_rounds']} rounds of warm-up and then "
-        f"{' or '.join(str(r) for r in rounds)} that count; times are medians with the 5th and 95th "
-        "percentile, ratios are of medians of the same rounds. \"Transparency\" is the sum of the "
-        "passes whose names start with `oit.`, \"shading\" that of `lighting` and `lod.`. Errors are against `ab-sbuffer`, on display values "
-        "0..1. Times of a software rasteriser say how methods compare on it, not what a GPU needs.",
-        "",
-    ]
-    lines += targets(results)
-    for skipped in results["skipped"]:
-        lines += ["", f"Skipped: {json.dumps(skipped)}"]
-    for study in results["studies"]:
-        points = [p for p in results["points"] if p["study"] == study["id"]]
-        if points:
-            make = table if base_of(results, study["id"]) is None else speed_table
-            lines += ["", f"## {study['title']}", ""] + make(points) + path_table(points)
-    print("\n".join(lines))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--from", dest="run", nargs=2, metavar=("DIR", "NAME"))
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    if options.run:
+        take_over(*options.run)
+    texts = {PAGE: page()}
+    for path in files.documents():
+        texts[path] = files.MARKER.sub(files.corrected, path.read_text(encoding="utf-8"))
+    stale = [path for path, text in texts.items()
+             if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    for path in stale:
+        print(f"{path.relative_to(files.ROOT)}: {'not current' if options.check else 'written'}")
+        if not options.check:
+            path.write_text(texts[path], encoding="utf-8")
+    if options.check and stale:
+        fail("run tools/benchmarks.py")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (files.BenchmarkError, OSError) as error:
+        fail(error)

@@ -6,20 +6,20 @@ const titleOf = point => point.label + (point.budget ? ` · ${point.budget}` : '
 const sceneName = scene => scene.split('/').pop().replace(/\.(glb|gltf)$/, '');
 const at = (point, ...keys) => keys.reduce((node, key) => node === null || node === undefined ? null : node[key], point) ?? null;
 
-const METRICS = [
-  {id: 'rmse', name: 'RMSE', unit: 'display values, 0 to 1', of: p => at(p, 'error', 'rmse')},
-  {id: 'flip', name: 'FLIP', unit: '0 to 1', of: p => at(p, 'error', 'flip')},
-  {id: 'flip_gaze', name: 'FLIP around the gaze', unit: '0 to 1', of: p => at(p, 'error', 'flip_gaze')},
-  {id: 'max', name: 'largest difference', unit: 'display values, 0 to 1', of: p => at(p, 'error', 'max')},
-  {id: 'flicker', name: 'flicker along the path', unit: 'display values a frame, 0 to 2', of: p => at(p, 'path', 'flicker')},
-  {id: 'path_rmse', name: 'RMSE along the path', unit: 'display values, 0 to 1', of: p => at(p, 'path', 'rmse')},
-].filter(metric => data.points.some(p => metric.of(p) !== null) || metric.id === 'rmse');
-const BYTES = 'storage + overhead';  // bytes.transparency; an oracle has storage alone
-const TIMES = [
-  {id: 'transparency', name: 'transparency, ms', of: p => at(p, 'ms', 'transparency', 'median')},
-  {id: 'shading', name: 'shading, ms', of: p => at(p, 'ms', 'shading', 'median')},
-  {id: 'total', name: 'whole frame, ms', of: p => at(p, 'ms', 'total', 'median')},
-];
+// The table of metrics, as far as points have them; how a value of each is shown.
+const FORMATS = {bytes: value => `${shown(mebi(value))} MiB`, share: percent, ms: value => `${shown(value)} ms`,
+  dB: value => `${shown(value)} dB`};
+// Times first, then errors.
+const rank = metric => metric.unit === 'ms' || metric.id === 'speedup' ? 0 : ['error', 'path'].includes(metric.path[0]) ? 1 : 2;
+const TABLE = data.metrics.map(metric => ({...metric, of: p => at(p, ...metric.path),
+  text: value => value === null ? '–' : (FORMATS[metric.unit] || shown)(value)})).sort((a, b) => rank(a) - rank(b));
+const metricOf = id => TABLE.find(metric => metric.id === id);
+const METRICS = TABLE.filter(metric => data.points.some(p => metric.of(p) !== null));
+const withUnit = metric => `${metric.title}, ${metric.unit}`;
+const TIMES = TABLE.filter(metric => metric.unit === 'ms');
+// Choices of the vertical axis: lower is better there, as it is for times and bytes.
+const FAULTS = TABLE.filter(metric => metric.id === 'rmse' || METRICS.includes(metric))
+  .filter(metric => metric.better === 'lower' && !['ms', 'bytes'].includes(metric.unit));
 const BASES = new Map(data.studies.map(s => [s.id, s.base]));
 // What a sweep varies, without what all its settings begin with: "r" of "lod.r".
 const sweptName = [...new Set(data.variants.filter(v => v.sweep).map(v => v.sweep.split('.').pop()))].join(', ');
@@ -32,7 +32,7 @@ const DIMENSIONS = [
   {id: 'seed', name: 'Seed', of: p => String(p.seed), show: v => v},
 ];
 // Where something has a speed-up, it is one of whole frames.
-const view = {metric: METRICS[0], time: TIMES[data.points.some(p => at(p, 'speedup') !== null) ? 2 : 0]};
+const view = {metric: metricOf('rmse'), time: metricOf(data.points.some(p => at(p, 'speedup') !== null) ? 'ms.total' : 'ms.transparency')};
 
 function fillHeader() {
   document.getElementById('description').textContent = data.description;
@@ -106,31 +106,20 @@ function fillView() {
       nav.append(selectOf(dimension.name, values.map(dimension.show), values.indexOf(view[dimension.id]), i => choose(values[i])));
     }
   });
-  nav.append(selectOf('Error', METRICS.map(m => m.name), METRICS.indexOf(view.metric), i => { view.metric = METRICS[i]; drawCharts(); }));
-  nav.append(selectOf('Time', TIMES.map(t => t.name), TIMES.indexOf(view.time), i => { view.time = TIMES[i]; drawCharts(); }));
+  const choose = (name, metrics, key) => nav.append(selectOf(name, metrics.map(m => m.title), metrics.indexOf(view[key]),
+    i => { view[key] = metrics[i]; drawCharts(); }));
+  choose('Error', FAULTS, 'metric');
+  choose('Time', TIMES, 'time');
   drawCharts();
 }
 
 function numbersOf(point) {
   const lines = [titleOf(point)];
-  const add = (name, value, unit = '') => { if (value !== null) lines.push(`${name} ${shown(value)}${unit}`); };
-  add('transparency', at(point, 'ms', 'transparency', 'median'), ' ms');
-  add('shading', at(point, 'ms', 'shading', 'median'), ' ms');
-  add('frame', at(point, 'ms', 'total', 'median'), ' ms');
-  add('speed-up', at(point, 'speedup'));
-  if (at(point, 'shading', 'shaded_share') !== null) {
-    lines.push(`pixels shaded ${percent(point.shading.shaded_share)}, holes ${percent(point.shading.holes_share)}`);
+  for (const metric of METRICS) {
+    const value = metric.of(point);
+    if (value !== null) lines.push(`${metric.title} ${metric.text(value)}`);
   }
-  add(point.status === 'oracle' ? 'storage' : BYTES, mebi(at(point, 'bytes', 'transparency')), ' MiB');
-  add('RMSE', at(point, 'error', 'rmse'));
-  add('PSNR', at(point, 'error', 'psnr_db'), ' dB');
-  add('FLIP', at(point, 'error', 'flip'));
-  add('FLIP around the gaze', at(point, 'error', 'flip_gaze'));
-  add('flicker', at(point, 'path', 'flicker'));
-  add('RMSE along the path', at(point, 'path', 'rmse'));
   if (at(point, 'path', 'reason') !== null) lines.push(`path refused: ${point.path.reason}`);
-  if (at(point, 'fragments', 'loss') !== null) lines.push(`fragments lost ${percent(point.fragments.loss)}`);
-  if (at(point, 'k', 'mean') !== null) lines.push(`k ${point.k.min} to ${point.k.max}, mean ${shown(point.k.mean)}`);
   return lines;
 }
 
@@ -175,14 +164,15 @@ function drawCharts() {
     element('i', {class: 'swatch', style: `background:${colourOf(v.id)}`}), v.label)));
   const place = id => document.getElementById(id);
   drawSpeed(points);
-  place('by-time').previousElementSibling.textContent = `${view.metric.name} against time (${view.time.name})`;
-  place('by-bytes').previousElementSibling.textContent = `${view.metric.name} against ${BYTES} of transparency`
+  const bytes = metricOf('bytes.transparency');
+  place('by-time').previousElementSibling.textContent = `${view.metric.title} against time (${withUnit(view.time)})`;
+  place('by-bytes').previousElementSibling.textContent = `${view.metric.title} against ${bytes.title} of transparency`
     + (points.some(p => p.status === 'oracle') ? ' (oracles: storage alone)' : '');
-  const yLabel = `${view.metric.name} (${view.metric.unit})`;
-  const bytes = p => mebi(at(p, 'bytes', 'transparency'));
-  const bytesVary = showWhereItVaries('by-bytes', points.filter(p => bytes(p) !== null), bytes);  // before widths are taken
-  scatter(place('by-time'), chartPoints(points, view.time.of), view.time.name, yLabel);
-  if (bytesVary) scatter(place('by-bytes'), chartPoints(points, bytes), `${BYTES}, MiB`, yLabel);
+  const yLabel = view.metric.unit ? `${view.metric.title} (${view.metric.unit})` : view.metric.title;
+  const inMebi = p => mebi(bytes.of(p));
+  const bytesVary = showWhereItVaries('by-bytes', points.filter(p => bytes.of(p) !== null), bytes.of);  // before widths are taken
+  scatter(place('by-time'), chartPoints(points, view.time.of), withUnit(view.time), yLabel);
+  if (bytesVary) scatter(place('by-bytes'), chartPoints(points, inMebi), `${bytes.title}, MiB`, yLabel);
   const counted = points.filter(p => at(p, 'fragments', 'generated') > 0);
   const fates = p => [p.fragments.stored, p.fragments.merged, p.fragments.lost].join();
   if (showWhereItVaries('loss', counted.length > 0 ? counted : [{}, {}], p => p.fragments ? fates(p) : 0)) drawLoss(counted);
@@ -200,9 +190,8 @@ function drawLoss(points) {
 }
 
 function drawPasses(points) {
-  const only = name => ({
-    total: true, transparency: name.startsWith('oit.'), shading: name === 'lighting' || name.startsWith('lod.'),
-  })[view.time.id];
+  const only = name => ({'ms.total': true, 'ms.transparency': name.startsWith('oit.'),
+    'ms.shading': name === 'lighting' || name.startsWith('lod.')})[view.time.id];
   const names = [...new Set(points.flatMap(p => Object.keys(p.ms.passes)))].filter(only);
   const colour = name => COLOURS[names.indexOf(name) % COLOURS.length];
   const sum = p => names.reduce((total, name) => total + (at(p, 'ms', 'passes', name, 'median') || 0), 0);
@@ -219,7 +208,7 @@ function fillPassTimes(points, names) {
   const figure = document.getElementById('pass-times');
   const used = names.filter(name => points.some(p => at(p, 'ms', 'passes', name, 'median') > 0));
   figure.hidden = used.length === 0;
-  figure.querySelector('figcaption').textContent = `Medians of the passes, ms (${view.time.name.replace(', ms', '')})`;
+  figure.querySelector('figcaption').textContent = `Medians of the passes, ms (${view.time.title})`;
   const number = text => element('td', {class: 'number'}, text);
   figure.querySelector('thead').replaceChildren(element('tr', {}, element('th', {}, 'Variant'),
     ...['median of the sum', ...used].map(name => element('th', {class: 'number'}, name))));
@@ -240,24 +229,17 @@ function fillMaps(points) {
       () => openViewer(p))));
 }
 
+const capital = text => text[0].toUpperCase() + text.slice(1);
+const headingOf = metric => capital(metric.title) + ({ms: ' ms', dB: ' dB', bytes: ' MiB'}[metric.unit] || '');
+// [heading, value, whether it is a number, whether it is wanted, how it is shown]
 const COLUMNS = [
   ['Study', p => p.study, false, data.studies.length > 1], ['Scene', p => sceneName(p.scene)],
   ['Size', p => `${p.width}x${p.height}`], ['Light', p => p.light, false, new Set(data.points.map(p => p.light)).size > 1],
   ['Seed', p => p.seed, true, new Set(data.points.map(p => p.seed)).size > 1],
   ['Variant', p => labelOf(p.variant)], ['Budget', p => p.budget, false, data.points.some(p => p.budget)],
-  [sweptName, p => at(p, 'sweep'), true], ['Speed-up', p => at(p, 'speedup'), true],
-  ['Transparency ms', p => at(p, 'ms', 'transparency', 'median'), true],
-  ['Shading ms', p => at(p, 'ms', 'shading', 'median'), true], ['Frame ms', p => at(p, 'ms', 'total', 'median'), true],
-  ['RMSE', p => at(p, 'error', 'rmse'), true], ['PSNR dB', p => at(p, 'error', 'psnr_db'), true],
-  ['Max', p => at(p, 'error', 'max'), true], ['FLIP', p => at(p, 'error', 'flip'), true],
-  ['FLIP gaze', p => at(p, 'error', 'flip_gaze'), true],
-  ['Flicker', p => at(p, 'path', 'flicker'), true], ['RMSE path', p => at(p, 'path', 'rmse'), true],
-  ['Shaded', p => at(p, 'shading', 'shaded_share'), true, true, percent],
-  ['Holes', p => at(p, 'shading', 'holes_share'), true, true, percent],
-  ['Storage + overhead MiB', p => mebi(at(p, 'bytes', 'transparency')), true], ['Budget used', p => at(p, 'budget_used'), true, true, percent],
-  ['Fragments', p => at(p, 'fragments', 'generated'), true], ['Stored', p => at(p, 'fragments', 'stored'), true],
-  ['Merged', p => at(p, 'fragments', 'merged'), true], ['Lost', p => at(p, 'fragments', 'loss'), true, true, percent],
-  ['k mean', p => at(p, 'k', 'mean'), true], ['k max', p => at(p, 'k', 'max'), true],
+  [sweptName, p => at(p, 'sweep'), true],
+  ...METRICS.map(metric => [headingOf(metric), metric.of, true, true,
+    metric.unit === 'share' ? percent : metric.unit === 'bytes' ? value => shown(mebi(value)) : shown]),
 ].filter(([, of, number, wanted]) => wanted !== false && (!number || data.points.some(p => of(p) !== null)));
 const sorting = {column: -1, down: false};
 

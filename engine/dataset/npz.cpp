@@ -40,7 +40,7 @@ std::string tupleOf(const std::vector<std::size_t>& shape) {
   return text + ")";
 }
 
-/// What stands in a .npy before the values.
+/// The part of a .npy before the values.
 std::string headerOf(std::string_view type, const std::vector<std::size_t>& shape) {
   std::string dictionary =
       fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type, tupleOf(shape));

@@ -1,4 +1,4 @@
-// What stands for the zip where libzip was left out (MACULA_DATASET=OFF).
+// The zip of builds without libzip (MACULA_DATASET=OFF): an error.
 #include "engine/core/error.h"
 #include "engine/dataset/zip.h"
 

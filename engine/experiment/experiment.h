@@ -2,8 +2,6 @@
 // the results are held against.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "engine/measure/flip.h"
+#include "engine/settings/toml.h"
 
 namespace macula::experiment {
 
@@ -88,12 +87,13 @@ struct Study {
   std::vector<std::string> lights;    ///< values of scene.lighting
   std::vector<std::string> variants;  ///< ids
   std::vector<Budget> budgets;
-  /// Variants that take turns; see expand(). Complete: every variant stands in one list.
+  /// Variants whose frames are interleaved; see expand(). Complete: every variant stands in one
+  /// list.
   std::vector<std::vector<std::string>> compare;
   bool comparesByList = false;  ///< the experiment names the lists
   std::string camera = "auto";
   std::string gaze = "center";
-  /// The variant that speed-ups are over; empty: none. It takes turns with every swept variant.
+  /// The variant that speed-ups are over; empty: none. It is interleaved with every swept variant.
   std::string base;
   int frames = 9;  ///< measured rounds
   /// Drawn along the camera's path after the measured rounds, without times; 0: none.

@@ -31,7 +31,7 @@ struct PointPlan {
 /// about 2 GiB.
 inline constexpr std::size_t kMostTogether = 16;
 
-/// Points whose frames take turns, or the oracles of a group (without time). Only times of one
+/// Points whose frames are interleaved, or the oracles of a group (without time). Only times of one
 /// batch may be divided by each other: whatever else the machine does falls on all of it alike.
 struct Batch {
   bool oracles = false;
@@ -56,11 +56,11 @@ struct Group {
   [[nodiscard]] std::string label() const;
 };
 
-/// All variants of a `compare` list take turns at all budgets. Where a study has none, all of its
-/// points take turns if they are at most kMostTogether, else those of each budget, and variants
-/// without one take turns with the first budget. A sweep has no budgets, so a curve is in one batch
-/// with all that it is compared with. Order from the slowest: studies, scenes, lights,
-/// sizes, seeds.
+/// All variants of a `compare` list are interleaved at all budgets. Where a study has none, all of
+/// its points are interleaved if they are at most kMostTogether, else those of each budget, and
+/// variants without one are interleaved with the first budget. A sweep has no budgets, so a curve
+/// is in one batch with all that it is compared with. Order from the slowest: studies, scenes,
+/// lights, sizes, seeds.
 [[nodiscard]] std::vector<Group> expand(const Experiment& experiment,
                                         const Fingerprint& fingerprint);
 

@@ -9,51 +9,39 @@
 namespace macula::experiment {
 namespace {
 
-struct Metric {
-  const char* name;
-  const char* pointer;  ///< where it stands in a point (RFC 6901)
+/// A column of results.csv with a number.
+struct Column {
+  std::string name;
+  Point::json_pointer place;  ///< in a point
 };
 
-constexpr Metric kMetrics[] = {
-    {"ms.transparency", "/ms/transparency/median"},
-    {"ms.transparency.p5", "/ms/transparency/p5"},
-    {"ms.transparency.p95", "/ms/transparency/p95"},
-    {"ms.shading", "/ms/shading/median"},
-    {"ms.shading.p5", "/ms/shading/p5"},
-    {"ms.shading.p95", "/ms/shading/p95"},
-    {"ms.total", "/ms/total/median"},
-    {"ms.total.p5", "/ms/total/p5"},
-    {"ms.total.p95", "/ms/total/p95"},
-    {"speedup", "/speedup"},
-    {"shading.shaded_share", "/shading/shaded_share"},
-    {"shading.holes_share", "/shading/holes_share"},
-    {"bytes.transparency", "/bytes/transparency"},
-    {"bytes.oit", "/bytes/oit"},
-    {"bytes.budget", "/bytes/budget"},
-    {"bytes.overhead", "/bytes/overhead"},
-    {"bytes.gbuffer", "/bytes/gbuffer"},
-    {"budget_used", "/budget_used"},
-    {"fragments.generated", "/fragments/generated"},
-    {"fragments.stored", "/fragments/stored"},
-    {"fragments.merged", "/fragments/merged"},
-    {"fragments.lost", "/fragments/lost"},
-    {"fragments.loss", "/fragments/loss"},
-    {"k.min", "/k/min"},
-    {"k.max", "/k/max"},
-    {"k.mean", "/k/mean"},
-    {"deepest", "/deepest"},
-    {"rmse", "/error/rmse"},
-    {"psnr_db", "/error/psnr_db"},
-    {"max", "/error/max"},
-    {"flip", "/error/flip"},
-    {"flip_gaze", "/error/flip_gaze"},
-    {"flicker", "/path/flicker"},
-    {"path_rmse", "/path/rmse"},
-};
+std::vector<Column> makeColumns() {
+  std::vector<Column> columns;
+  for (const measure::Metric& metric : measure::kMetrics) {
+    if (!metric.in(measure::kColumn) || !metric.isNumber()) continue;
+    std::string place = "/" + std::string(metric.pointName());
+    std::replace(place.begin(), place.end(), '.', '/');
+    const std::string name(metric.columnName());
+    if (!metric.spread) {
+      columns.push_back({name, Point::json_pointer(place)});
+      continue;
+    }
+    columns.push_back({name, Point::json_pointer(place + "/median")});
+    for (const char* part : {"p5", "p95"}) {
+      columns.push_back({name + "." + part, Point::json_pointer(place + "/" + part)});
+    }
+  }
+  return columns;
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = makeColumns();
+  return all;
+}
 
 constexpr std::string_view kPassPrefix = "ms.passes.";
 
-/// Columns that are no metrics.
+/// Columns that say where a point stands, and are no numbers of it.
 constexpr const char* kTexts[] = {"study",  "scene",   "width", "height", "seed",
                                   "light",  "variant", "label", "budget", "sweep",
                                   "status", "reason",  "sync",  "exact",  "key"};
@@ -118,7 +106,7 @@ bool sameGroup(const Point& a, const Point& b) {
          a["height"] == b["height"] && a["seed"] == b["seed"] && a["light"] == b["light"];
 }
 
-bool tookTurns(const Point& a, const Point& b) {
+bool interleaved(const Point& a, const Point& b) {
   return textOf(a, "batch") == textOf(b, "batch");
 }
 
@@ -129,9 +117,32 @@ Point spreadOf(std::span<const double> values) {
           {"p95", measure::p95(values).value()}};
 }
 
+void addRounds(Point& point, std::span<const measure::FrameRecord> rounds) {
+  measure::addTo(point, rounds.back(), measure::kPoint, measure::None::Group);
+  for (std::size_t row = 0; row < measure::kMetrics.size(); ++row) {
+    const measure::Metric& metric = measure::kMetrics[row];
+    if (!metric.spread || !metric.in(measure::kPoint)) continue;
+    std::vector<double> values;
+    for (const measure::FrameRecord& round : rounds) values.push_back(round.number(row).value());
+    const auto [parent, name] = measure::placeIn(point, metric.pointName());
+    (*parent)[name] = spreadOf(values);
+  }
+  std::vector<std::pair<std::string, std::vector<double>>> passes;
+  for (const measure::FrameRecord& round : rounds) {
+    for (const auto& [name, ms] : round.passMs) {
+      auto known = std::ranges::find(passes, name, &decltype(passes)::value_type::first);
+      if (known == passes.end()) known = passes.insert(known, {name, {}});
+      known->second.push_back(ms);
+    }
+  }
+  point["ms"]["passes"] = Point::object();
+  for (const auto& [name, ms] : passes) point["ms"]["passes"][name] = spreadOf(ms);
+  point["rounds"] = rounds.size();
+}
+
 std::vector<std::string> metricNames() {
   std::vector<std::string> names;
-  for (const Metric& metric : kMetrics) names.emplace_back(metric.name);
+  for (const Column& column : columns()) names.push_back(column.name);
   return names;
 }
 
@@ -144,11 +155,9 @@ std::optional<double> metricOf(const Point& point, std::string_view metric) {
       node = &point.at(passes).at(name).at("median");
     }
   } else {
-    const auto found = std::find_if(std::begin(kMetrics), std::end(kMetrics),
-                                    [&](const Metric& m) { return metric == m.name; });
-    if (found == std::end(kMetrics)) throw std::logic_error("a metric that was not checked");
-    const Point::json_pointer pointer(found->pointer);
-    if (point.contains(pointer)) node = &point.at(pointer);
+    const auto found = std::ranges::find(columns(), metric, &Column::name);
+    if (found == columns().end()) throw std::logic_error("a metric that was not checked");
+    if (point.contains(found->place)) node = &point.at(found->place);
   }
   if (node == nullptr || !node->is_number()) return std::nullopt;
   return node->get<double>();
@@ -158,7 +167,7 @@ std::string toCsv(std::span<const Point> points) {
   const std::vector<std::string> passes = passNames(points);
   std::string csv;
   for (const char* name : kTexts) csv += std::string(csv.empty() ? "" : ",") + name;
-  for (const Metric& metric : kMetrics) csv += std::string(",") + metric.name;
+  for (const Column& column : columns()) csv += "," + column.name;
   for (const std::string& name : passes) csv += "," + std::string(kPassPrefix) + name;
   csv += "\n";
   for (const Point& point : points) {
@@ -167,7 +176,7 @@ std::string toCsv(std::span<const Point> points) {
       if (name != kTexts[0]) line += ",";
       line += csvCell(point, name);
     }
-    for (const Metric& metric : kMetrics) line += "," + numberCell(metricOf(point, metric.name));
+    for (const Column& column : columns()) line += "," + numberCell(metricOf(point, column.name));
     for (const std::string& name : passes) {
       line += "," + numberCell(metricOf(point, std::string(kPassPrefix) + name));
     }

@@ -1,5 +1,5 @@
-// One measured point: a JSON object, as a line of points.jsonl and in results.json. README.md of
-// this folder has the table of its keys.
+// One measured point: a JSON object, as a line of points.jsonl and in results.json. docs/report.md
+// has its metrics.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/experiment/plan.h"
+#include "engine/measure/frame_record.h"
 
 namespace macula::experiment {
 
@@ -30,11 +31,16 @@ inline constexpr const char* kRefused = "refused";  ///< "reason" says why
 /// Whether two points share study, scene, size, seed and light.
 [[nodiscard]] bool sameGroup(const Point& a, const Point& b);
 
-/// Whether two points took turns, so that their times may be divided by each other.
-[[nodiscard]] bool tookTurns(const Point& a, const Point& b);
+/// Whether the frames of two points were interleaved, so that their times may be divided by one
+/// another.
+[[nodiscard]] bool interleaved(const Point& a, const Point& b);
 
 /// {"median", "p5", "p95"} of at least one value.
 [[nodiscard]] Point spreadOf(std::span<const double> values);
+
+/// Adds what was measured in the rounds of a point: metrics, spreads of times, passes, "rounds".
+/// @param rounds at least one
+void addRounds(Point& point, std::span<const measure::FrameRecord> rounds);
 
 /// Names of all metrics: columns of results.csv that targets can use.
 [[nodiscard]] std::vector<std::string> metricNames();

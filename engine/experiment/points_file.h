@@ -12,9 +12,9 @@ namespace macula::experiment {
 
 class PointsFile {
  public:
-  /// Reads what is there. A line that was cut off by an interruption is left out, and the file is
-  /// mended so that new lines stand by themselves.
-  /// @throws InputError where the file cannot be read or mended
+  /// Reads what is there. A line that an interruption cut off is left out, and the file is written
+  /// again without it, so that the next line begins on its own.
+  /// @throws InputError where the file cannot be read or written
   explicit PointsFile(std::filesystem::path path);
 
   /// The point with this key, or null.

@@ -1,6 +1,8 @@
 #include "engine/experiment/report.h"
 
-#include <map>
+#include <array>
+#include <sstream>
+#include <string_view>
 
 #include "engine/core/file.h"
 #include "engine/core/page.h"
@@ -24,6 +26,25 @@ Json picturesOf(const Results& results, const std::filesystem::path& folder) {
     }
   }
   return pictures;
+}
+
+/// The metrics that the page shows: what they are called, and where they stand in a point.
+Json metricsJson() {
+  constexpr std::array<std::string_view, 3> kBetter{"", "lower", "higher"};
+  Json all = Json::array();
+  for (const measure::Metric& metric : measure::kMetrics) {
+    if (!metric.in(measure::kPage)) continue;
+    Json path = Json::array();
+    std::istringstream levels{std::string(metric.pointName())};
+    for (std::string level; std::getline(levels, level, '.');) path.push_back(level);
+    if (metric.spread) path.push_back("median");
+    all.push_back({{"id", metric.columnName()},
+                   {"title", metric.title},
+                   {"unit", metric.unit},
+                   {"better", kBetter[static_cast<std::size_t>(metric.better)]},
+                   {"path", path}});
+  }
+  return all;
 }
 
 }  // namespace
@@ -76,6 +97,7 @@ nlohmann::ordered_json toJson(const Results& results) {
 std::string reportPage(const Results& results, const std::filesystem::path& folder,
                        const std::filesystem::path& assets) {
   Json data = toJson(results);
+  data["metrics"] = metricsJson();
   data["pictures"] = picturesOf(results, folder);
   const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
   return reportPageOf(assets, "report", json,

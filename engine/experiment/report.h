@@ -35,7 +35,7 @@ struct Results {
   std::vector<Point> points;
   std::vector<TargetRow> targets;
   std::vector<Skipped> skipped;
-  std::string interrupted = {};  ///< how far it came; empty: all points were seen to
+  std::string interrupted = {};            ///< how far it came; empty: all points were seen to
   std::vector<std::string> warnings = {};  ///< of the gaze logs that studies name
 };
 

@@ -9,7 +9,7 @@ const Point* baseOf(const Experiment& experiment, std::span<const Point> points,
   const std::string& base = experiment.study(textOf(point, "study")).base;
   if (base.empty()) return nullptr;
   const auto found = std::find_if(points.begin(), points.end(), [&](const Point& other) {
-    return textOf(other, "variant") == base && sameGroup(point, other) && tookTurns(point, other);
+    return textOf(other, "variant") == base && sameGroup(point, other) && interleaved(point, other);
   });
   return found == points.end() ? nullptr : &*found;
 }

@@ -10,7 +10,7 @@
 namespace macula::experiment {
 
 /// The point of the study's base variant in a point's group; null where there is none, or where the
-/// two did not take turns.
+/// two were not interleaved.
 [[nodiscard]] const Point* baseOf(const Experiment& experiment, std::span<const Point> points,
                                   const Point& point);
 

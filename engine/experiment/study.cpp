@@ -135,7 +135,7 @@ bool holds(const std::vector<std::string>& list, const std::string& id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
 
-/// Points without a budget take turns, so a sweep's renderers live together with all of them.
+/// Points without a budget are interleaved, so a sweep's renderers live together with all of them.
 void requireRoomForSweeps(const Study& study, const std::vector<Variant>& variants) {
   if (study.comparesByList) return;
   std::size_t together = 0;
@@ -147,13 +147,13 @@ void requireRoomForSweeps(const Study& study, const std::vector<Variant>& varian
   }
   if (swept && together > kMostTogether) {
     failInput(
-        "{}: its sweeps make {} renderers that live at the same time, more than {}; name the "
-        "variants that take turns in compare, or shorten the sweeps",
+        "{}: its sweeps make {} renderers that live at the same time, more than {}; name "
+        "those to interleave in compare, or shorten the sweeps",
         study.place, together, kMostTogether);
   }
 }
 
-/// The base must be one point, and every curve must take turns with it.
+/// The base must be one point, and every curve must be interleaved with it.
 void requireBase(const Study& study, const std::vector<Variant>& variants) {
   if (study.base.empty()) return;
   requireKnown(study.base, study.variants, "base variant", study.place);
@@ -167,7 +167,7 @@ void requireBase(const Study& study, const std::vector<Variant>& variants) {
   for (const std::string& id : study.variants) {
     if (variantOf(variants, id).sweep && !holds(list, id)) {
       failInput(
-          "{}: variant '{}' does not take turns with the base '{}'; name both in one list of "
+          "{}: variant '{}' is not interleaved with the base '{}'; name both in one list of "
           "compare",
           study.place, id, base.id);
     }

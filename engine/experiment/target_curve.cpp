@@ -37,8 +37,8 @@ class CurveJudge {
 
   void judge() {
     if (base_ == nullptr) {
-      row_.note =
-          "nothing to be faster than: the study needs a base that takes turns with " + target_.of;
+      row_.note = "nothing to be faster than: the study needs a base that is interleaved with " +
+                  target_.of;
       return;
     }
     const std::string& other = target_.against.front();
@@ -67,7 +67,7 @@ class CurveJudge {
     std::vector<CurvePoint> all;
     for (const Point& point : points_) {
       if (textOf(point, "variant") != variant || !sameGroup(lead_, point)) continue;
-      if (!tookTurns(*base_, point)) continue;
+      if (!interleaved(*base_, point)) continue;
       const auto speedup = speedupOf(*base_, point, target_.cost);
       const auto quality = qualityOf(point, target_.metric);
       if (!speedup || !quality) continue;

@@ -1,4 +1,4 @@
-// What an image library must do for engine/image; one file of this folder does it in each build.
+// The codecs of engine/image: each build has one codec_*.cpp for PNG and EXR.
 #pragma once
 
 #include <cstdint>
@@ -33,5 +33,21 @@ void writePng(const std::filesystem::path& temporary, const std::filesystem::pat
               const Image8& image);
 void writeExr(const std::filesystem::path& temporary, const std::filesystem::path& path,
               const ImageF& image);
+
+/// Looks over a PNG before it is decoded: walks over its chunks (W3C PNG, 3rd edition, 5.3) and
+/// checks that none is cut off, that every CRC is right, that the header and the end are there and
+/// that its sides are allowed. Damage is found here with its place, before a decoder prints its own
+/// words on it.
+/// @throws InputError naming the file and the byte.
+void checkPng(const std::filesystem::path& path);
+
+/// Reads a Radiance HDR picture (RGBE) without a library. stb_image 2.27 never returns from some
+/// that are cut off and misplaces rows where both codings are mixed; OpenImageIO 2.4 is not in
+/// every build and knows no older runs. Takes the usual "-Y height +X width" order: three channels,
+/// each mantissa times 2^(exponent - 136). EXPOSURE lines are left alone: values are as stored.
+/// This work is based on G. Ward, "Real Pixels", Graphics Gems II, 1991, and on the description of
+/// the file format in the Radiance manual ("File Formats", Pictures).
+/// @throws InputError naming the file and the byte where it is damaged or cut off.
+[[nodiscard]] ImageF readRadiance(const std::filesystem::path& path);
 
 }  // namespace macula::image::codec

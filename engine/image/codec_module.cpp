@@ -25,13 +25,13 @@ const IoModule& openModule() {
   void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* why = ::dlerror();
-    failInput("{}: cannot be loaded ({}); install OpenImageIO 2.4 or build Macula anew", file,
+    failInput("{}: cannot be loaded ({}); install OpenImageIO 2.4 or rebuild Macula", file,
               why == nullptr ? "no reason given" : why);
   }
   const auto entry = reinterpret_cast<IoModuleEntry>(::dlsym(handle, kIoModuleEntry));
   const IoModule* module = entry == nullptr ? nullptr : entry();
   if (module == nullptr || module->version != kIoModuleVersion) {
-    failInput("{}: belongs to another version of Macula; install the program and its modules anew",
+    failInput("{}: belongs to another version of Macula; install the program and its modules again",
               file);
   }
   return *module;
@@ -43,7 +43,7 @@ const IoModule& module() {
   return opened;
 }
 
-/// False where the file is at fault, which the caller words.
+/// False where the file is at fault; the caller words the message.
 /// @param file for messages
 /// @throws whatever else went wrong
 bool succeeded(IoStatus status, const IoMessage& message, const fs::path& file) {

@@ -15,8 +15,6 @@
 #include "engine/core/file.h"
 #include "engine/core/plural.h"
 #include "engine/image/codec.h"
-#include "engine/image/png_check.h"
-#include "engine/image/radiance.h"
 
 namespace macula::image {
 namespace {
@@ -93,8 +91,8 @@ ImageF readImage(const fs::path& path) {
   const Format format = sniff(path);
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (error) failInput("{}: cannot be read ({})", path.string(), error.message());
-  if (format == Format::Png) checkPng(path);
-  ImageF image = format == Format::Hdr   ? readRadiance(path)
+  if (format == Format::Png) codec::checkPng(path);
+  ImageF image = format == Format::Hdr   ? codec::readRadiance(path)
                  : format == Format::Png ? codec::readPng(path, bytes)
                                          : codec::readExr(path, bytes);
   image.linear = format != Format::Png;

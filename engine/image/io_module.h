@@ -1,6 +1,6 @@
-// What the module that holds OpenImageIO offers to the program that opens it: plain data and
-// functions, nothing else. No exception, allocation or C++ type crosses, so that neither side
-// depends on how the other was compiled or on which symbols the loader merges.
+// The interface of the module that holds OpenImageIO: plain data and functions only. No exception,
+// allocation or C++ type crosses, so that neither side depends on how the other was compiled or on
+// which symbols the loader merges.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct IoMessage {
   char text[1024];
 };
 
-/// What a file claims to hold.
+/// The header of a file, unchecked.
 struct IoHeader {
   std::int64_t width;
   std::int64_t height;

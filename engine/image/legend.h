@@ -7,7 +7,7 @@
 
 namespace macula::image {
 
-/// What the colours of a heat map (viridis) mean.
+/// The meaning of the colours of a heat map (viridis).
 struct Legend {
   std::string quantity;    ///< "k(p): slots of each sample"
   double maximum = 1.0;    ///< value of the hottest colour, > 0; larger ones share it

@@ -1,6 +1,5 @@
-#include "engine/image/png_check.h"
+#include <zlib.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -10,32 +9,12 @@
 #include "engine/core/file.h"
 #include "engine/image/codec.h"
 
-namespace macula::image {
+namespace macula::image::codec {
 namespace {
 
 constexpr std::size_t kSignatureBytes = 8;
 constexpr std::size_t kHeaderBytes = 13;  // of the IHDR chunk
 constexpr std::size_t kFrameBytes = 12;   // length, type and CRC around a chunk's data
-
-/// Remainders of all bytes for CRC-32 with the reflected polynomial of PNG, annex D.
-constexpr std::array<std::uint32_t, 256> makeCrcTable() {
-  constexpr std::uint32_t kPolynomial = 0xEDB88320;
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
-    std::uint32_t rest = byte;
-    for (int bit = 0; bit < 8; ++bit) rest = (rest >> 1) ^ ((rest & 1) != 0 ? kPolynomial : 0);
-    table[byte] = rest;
-  }
-  return table;
-}
-constexpr std::array<std::uint32_t, 256> kCrcTable = makeCrcTable();
-
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const char c : bytes)
-    crc = kCrcTable[(crc ^ static_cast<std::uint8_t>(c)) & 0xFF] ^ (crc >> 8);
-  return ~crc;
-}
 
 /// Four bytes, most significant first; the caller has checked that they are there.
 std::uint32_t readWord(std::string_view bytes, std::size_t at) {
@@ -77,7 +56,8 @@ void checkPng(const std::filesystem::path& path) {
     }
     const std::size_t length = readWord(bytes, at);
     const std::string_view type = bytes.substr(at + 4, 4);
-    if (crc32(bytes.substr(at + 4, 4 + length)) != readWord(bytes, at + 8 + length)) {
+    const uLong checksum = crc32_z(0, reinterpret_cast<const Bytef*>(&bytes[at + 4]), 4 + length);
+    if (checksum != readWord(bytes, at + 8 + length)) {
       failInput("{}: is damaged: the checksum of the part at byte {} is wrong; write it again",
                 path.string(), at);
     }
@@ -85,11 +65,11 @@ void checkPng(const std::filesystem::path& path) {
       failInput("{}: is damaged: its header describes no PNG image; write it again", path.string());
     }
     if (at == kSignatureBytes) {
-      codec::checkHeader(path, readWord(bytes, at + 8), readWord(bytes, at + 12), 1, bytes.size());
+      checkHeader(path, readWord(bytes, at + 8), readWord(bytes, at + 12), 1, bytes.size());
     }
     if (type == "IEND") return;
     at += kFrameBytes + length;
   }
 }
 
-}  // namespace macula::image
+}  // namespace macula::image::codec

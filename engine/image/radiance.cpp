@@ -1,5 +1,3 @@
-#include "engine/image/radiance.h"
-
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -15,7 +13,7 @@
 #include "engine/core/file.h"
 #include "engine/image/codec.h"
 
-namespace macula::image {
+namespace macula::image::codec {
 namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
@@ -49,7 +47,7 @@ class Reader {
   ImageF read() {
     readHeader();
     std::vector<Rgbe> row(static_cast<std::size_t>(image_.width));
-    image_.pixels.reserve(codec::sampleCount(image_));
+    image_.pixels.reserve(sampleCount(image_));
     for (int y = 0; y < image_.height; ++y) {
       readRow(row);
       for (const Rgbe& pixel : row) {
@@ -102,7 +100,7 @@ class Reader {
       failInput("{}: its resolution line is not '-Y height +X width'; write it again that way",
                 path_.string());
     }
-    codec::checkHeader(path_, (*sides)[1], (*sides)[0], 3, bytes_.size());
+    checkHeader(path_, (*sides)[1], (*sides)[0], 3, bytes_.size());
     image_.width = static_cast<int>((*sides)[1]);
     image_.height = static_cast<int>((*sides)[0]);
     image_.channels = 3;
@@ -163,4 +161,4 @@ ImageF readRadiance(const std::filesystem::path& path) {
   return Reader(path).read();
 }
 
-}  // namespace macula::image
+}  // namespace macula::image::codec

@@ -1,4 +1,4 @@
-// What a replay measured, frame by frame, and report.json.
+// What a replay measured, and report.json.
 #pragma once
 
 #include <cstdint>
@@ -8,56 +8,18 @@
 #include <utility>
 #include <vector>
 
-#include "engine/measure/image_error.h"
+#include "engine/measure/frame_record.h"
 
 namespace macula::measure {
 
-/// Numbers of fragments of one frame: generated = stored + merged + lost.
-struct FragmentNumbers {
-  std::uint64_t generated = 0;
-  std::uint64_t stored = 0;
-  std::uint64_t merged = 0;
-  std::uint64_t lost = 0;
-};
-
-struct LayerNumbers {
-  std::uint32_t min = 0;
-  std::uint32_t max = 0;
-  double mean = 0.0;
-};
-
-/// Pixels of one frame, samples that were shaded for them, and pixels that no low-rate sample fits.
-struct ShadingNumbers {
-  std::uint64_t pixels = 0;
-  std::uint64_t shaded = 0;  ///< holes among them
-  std::uint64_t holes = 0;
-};
-
-struct FrameRecord {
-  int index = 0;
-  double timeSeconds = 0.0;
-  double gazeX = 0.5;  ///< 0..1 from the top left
-  double gazeY = 0.5;
-  double rawX = 0.0;  ///< as recorded; NaN where there is none
-  double rawY = 0.0;
-  std::string gazeState;
-  double gazeAgeSeconds = 0.0;  ///< infinite where no sample has come yet
-  double gazeRadius = 0.0;      ///< share of the window's height
-  bool gazeSaccade = false;
-  /// Degrees between the point of interest and where the eye was at the frame's time by the newest
-  /// believed sample; none where that is not known.
-  std::optional<double> gazeErrorDegrees;
-  double resizeFactor = 1.0;
-  std::optional<ShadingNumbers> shading;
-  double totalMs = 0.0;
-  std::vector<std::pair<std::string, double>> passMs;
-  std::optional<FragmentNumbers> fragments;
-  std::optional<LayerNumbers> layers;
-  std::optional<ImageError> error;
-  std::optional<double> flicker;         ///< see FlickerMeter; none for the first frame
-  std::optional<std::uint64_t> hazards;  ///< see countUnlikePixels(); of racy methods only
-  bool exact = false;
-  std::string imageSha256;
+/// How the replay of a recording compares with it.
+struct RecordingNumbers {
+  std::uint64_t frames = 0;  ///< that were recorded
+  std::uint64_t truncatedLines = 0;
+  std::uint64_t unrecordedFrames = 0;  ///< drawn in between, and not recorded
+  std::uint64_t hashesCompared = 0;
+  std::uint64_t hashesEqual = 0;
+  std::optional<std::uint64_t> firstDifference = {};  ///< index of the frame
 };
 
 struct RunRecord {
@@ -72,23 +34,19 @@ struct RunRecord {
   std::optional<std::string> sync;
   nlohmann::json settings;
   nlohmann::ordered_json provenance;  ///< of measure::Provenance
-  std::uint64_t oitBytes = 0;
-  std::optional<std::uint64_t> budgetBytes;
-  std::uint64_t overheadBytes = 0;
-  std::uint64_t gbufferBytes = 0;
-  /// Each buffer and texture of the transparency, by name; they add up to oitBytes + overheadBytes.
+  /// Each buffer and texture of transparency by name; they add up to the metric bytes.total.
   std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes;
   double loadMs = 0.0;
-  double firstFrameMs = 0.0;  ///< from the start of the command to the end of the first frame
-  bool interrupted = false;   ///< frames that were asked for are missing
+  double firstFrameMs = 0.0;       ///< from the start of the command to the end of the first frame
+  bool interrupted = false;        ///< frames that were asked for are missing
+  nlohmann::ordered_json gazeLog;  ///< null: the gaze is no log
+  std::string gazeErrorBasis;      ///< what the metric fovea.error_deg rests on
+  std::optional<RecordingNumbers> recording;  ///< where a recording was replayed
   std::vector<FrameRecord> frames;
 };
 
-/// report.json, schema 1. What does not apply is null.
-/// The summary: median and 95th percentile of the frame times; the errors' means over frames, with
-/// rmse as the root of the mean square, psnr_db from it, and max as the largest; the mean flicker
-/// of all frames but the first; median, 95th percentile and largest error of the point of interest;
-/// fragment sums.
+/// report.json, schema 1: the metrics of the table, and the keys of report_keys.h. What does not
+/// apply is null.
 [[nodiscard]] nlohmann::ordered_json toJson(const RunRecord& run);
 
 }  // namespace macula::measure

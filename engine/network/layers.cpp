@@ -1,10 +1,9 @@
-#include "engine/network/layers.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
+#include "engine/network/parts.h"
 
 namespace macula::network {
 namespace {
@@ -23,11 +22,11 @@ const Tensor& tensorNamed(const Tensors& tensors, const std::string& key, std::s
                           const std::string& name) {
   const auto found = tensors.find(key);
   if (found == tensors.end()) {
-    failInput("{}: tensor '{}' is missing; {} with it", name, key, kExportAnew);
+    failInput("{}: tensor '{}' is missing; {} with it", name, key, kExportAgain);
   }
   if (found->second.shape.size() != dimensions) {
     failInput("{}: tensor '{}': has {}, not {}; {}", name, key,
-              counted(found->second.shape.size(), "dimension"), dimensions, kExportAnew);
+              counted(found->second.shape.size(), "dimension"), dimensions, kExportAgain);
   }
   return found->second;
 }
@@ -38,7 +37,7 @@ std::vector<float> finiteValues(const Tensor& tensor, const std::string& key,
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
   if (bad != values.end()) {
-    failInput("{}: tensor '{}': value {} is not finite; the training diverged, train anew", name,
+    failInput("{}: tensor '{}': value {} is not finite; the training diverged, train again", name,
               key, bad - values.begin());
   }
   return values;
@@ -53,7 +52,7 @@ DenseLayer layerOf(const Tensors& tensors, std::size_t index, std::size_t inputs
   if (weight.shape[1] != inputs) {
     failInput("{}: tensor '{}': takes {}, {} {}; {}", name, key, counted(weight.shape[1], "input"),
               index == 0 ? "the number of features is" : "the layer before gives", inputs,
-              kExportAnew);
+              kExportAgain);
   }
   if (outputs == 0 || outputs > kMaxWidth) {
     failInput("{}: tensor '{}': has {}, not 1 to {}; train another network", name, key,
@@ -61,7 +60,7 @@ DenseLayer layerOf(const Tensors& tensors, std::size_t index, std::size_t inputs
   }
   if (bias.shape[0] != outputs) {
     failInput("{}: tensor '{}': has {} for {}; {}", name, biasName(index),
-              counted(bias.shape[0], "value"), counted(outputs, "output"), kExportAnew);
+              counted(bias.shape[0], "value"), counted(outputs, "output"), kExportAgain);
   }
   return {.inputs = static_cast<int>(inputs),
           .outputs = static_cast<int>(outputs),
@@ -104,7 +103,7 @@ std::vector<DenseLayer> layersOf(const Tensors& tensors, std::size_t inputs, std
   }
   if (values != outputs) {
     failInput("{}: tensor '{}': gives {}, __metadata__ names {}; {}", name, weightName(count - 1),
-              counted(values, "output"), outputs, kExportAnew);
+              counted(values, "output"), outputs, kExportAgain);
   }
   return layers;
 }

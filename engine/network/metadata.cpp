@@ -1,5 +1,3 @@
-#include "engine/network/metadata.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,7 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
-#include "engine/network/safetensors.h"
+#include "engine/network/parts.h"
 
 namespace macula::network {
 namespace {
@@ -24,7 +22,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-/// Asks for each key and says what is wrong with it.
+/// Reads keys and names the one that is wrong.
 class Metadata {
  public:
   Metadata(const std::map<std::string, std::string>& texts, const std::string& name)
@@ -36,14 +34,14 @@ class Metadata {
 
   [[nodiscard]] const std::string& text(const char* key) const {
     const auto found = texts_->find(key);
-    if (found == texts_->end()) fail(key, fmt::format("is missing; {} with it", kExportAnew));
+    if (found == texts_->end()) fail(key, fmt::format("is missing; {} with it", kExportAgain));
     return found->second;
   }
 
   /// The only value that this program knows.
-  void expect(const char* key, std::string_view value, const char* mend) const {
+  void expect(const char* key, std::string_view value, const char* fix) const {
     if (text(key) == value) return;
-    fail(key, fmt::format("is '{}' and not '{}'; {}", shown(text(key)), value, mend));
+    fail(key, fmt::format("is '{}' and not '{}'; {}", shown(text(key)), value, fix));
   }
 
   /// Names in order, none empty and none twice.
@@ -119,7 +117,7 @@ std::string hashOf(const Metadata& metadata) {
       text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
     metadata.fail("data", fmt::format("is '{}' and no SHA-256 of 64 hexadecimal digits; {} with "
                                       "the hash of its training data",
-                                      shown(text), kExportAnew));
+                                      shown(text), kExportAgain));
   }
   return text;
 }

@@ -1,5 +1,5 @@
-// A small dense network: what a file of weights holds, and a plain evaluation of it, the mirror of
-// the compute shader that runs it for every pixel.
+// A small dense network as read from a file, and its evaluation on the CPU, the mirror of the
+// compute shader that runs it for every pixel.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxLayers = 8;
 inline constexpr std::size_t kMaxFileBytes = std::size_t{4} << 20U;
 static_assert(2 * kMaxLayers * kMaxWidth * kMaxWidth * sizeof(float) <= kMaxFileBytes);
 
-/// What the last layer's sums go through.
+/// Activation of the last layer.
 enum class OutputActivation : std::uint8_t {
   None,
   Sigmoid,  ///< 1 / (1 + exp(-x)), in 0..1
@@ -31,8 +31,9 @@ enum class OutputActivation : std::uint8_t {
 struct DenseLayer {
   int inputs = 0;
   int outputs = 0;
-  std::vector<float> weights;  ///< outputs x inputs, row-major: a row holds what one output weighs
-  std::vector<float> bias;     ///< one an output
+  std::vector<float>
+      weights;              ///< outputs x inputs, row-major: a row holds the weights of one output
+  std::vector<float> bias;  ///< one an output
 };
 
 /// A network that has been checked: counts agree, every number is finite, no scale is 0.
@@ -45,12 +46,12 @@ struct Network {
   std::vector<float> scale;           ///< one a feature, in 1 / its unit, not 0
   OutputActivation outputActivation = OutputActivation::None;
   std::vector<DenseLayer> layers;  ///< at least one
-  std::string command;             ///< what trained it
-  std::string dataHash;            ///< SHA-256 of what it was trained on, 64 hexadecimal digits
+  std::string command;             ///< the command that trained it
+  std::string dataHash;            ///< SHA-256 of the training data, 64 hexadecimal digits
 };
 
 /// Reads a network; the format stands in README.md.
-/// @throws InputError naming the file, the place in it and the mend
+/// @throws InputError naming the file, the place in it and the fix
 [[nodiscard]] Network readNetwork(const std::filesystem::path& path);
 
 /// The same from bytes. @param name of the file in messages

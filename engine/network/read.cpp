@@ -2,10 +2,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/network/layers.h"
-#include "engine/network/metadata.h"
-#include "engine/network/network.h"
-#include "engine/network/safetensors.h"
+#include "engine/network/parts.h"
 
 namespace macula::network {
 namespace {

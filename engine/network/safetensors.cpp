@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
-#include "engine/network/half.h"
 
 namespace macula::network {
 namespace {
@@ -35,14 +35,14 @@ std::uint64_t littleEndian(std::span<const std::byte> bytes) {
 std::string_view headerOf(std::span<const std::byte> bytes, const std::string& name) {
   if (bytes.size() < kLengthBytes) {
     failInput("{}: byte 0: the file has {}, too few for a safetensors file; {}", name,
-              counted(bytes.size(), "byte"), kExportAnew);
+              counted(bytes.size(), "byte"), kExportAgain);
   }
   const std::uint64_t length = littleEndian(bytes.first(kLengthBytes));
   if (length > bytes.size() - kLengthBytes) {
     failInput(
         "{}: byte 0: the header is said to have {} bytes, {} follow; this is no safetensors file "
         "or it is cut short, {}",
-        name, length, bytes.size() - kLengthBytes, kExportAnew);
+        name, length, bytes.size() - kLengthBytes, kExportAgain);
   }
   if (length > kMaxHeaderBytes) {
     failInput("{}: byte 0: the header has {} bytes, the limit is {}; shorten its texts", name,
@@ -51,7 +51,7 @@ std::string_view headerOf(std::span<const std::byte> bytes, const std::string& n
   return {reinterpret_cast<const char*>(bytes.data()) + kLengthBytes, length};
 }
 
-/// Refuses what the JSON library would take: keys that stand twice, and depth without end.
+/// Refuses what the JSON library accepts: duplicate keys and unlimited depth.
 class HeaderGuard {
  public:
   explicit HeaderGuard(const std::string& name) : name_(&name) {}
@@ -60,14 +60,14 @@ class HeaderGuard {
     using Event = json::parse_event_t;
     if (event == Event::object_start || event == Event::array_start) {
       if (depth >= kMaxDepth) {
-        failInput("{}: header: is nested too deep; {}", *name_, kExportAnew);
+        failInput("{}: header: is nested too deep; {}", *name_, kExportAgain);
       }
       if (event == Event::object_start) keys_[depth].clear();
     } else if (event == Event::key) {
-      // The depth of a key is that of what stands in its object.
+      // The depth of a key is that of its value.
       const auto& key = parsed.get_ref<const std::string&>();
       if (!keys_[depth - 1].insert(key).second) {
-        failInput("{}: header: '{}' stands there twice; {}", *name_, shown(key), kExportAnew);
+        failInput("{}: header: '{}' stands there twice; {}", *name_, shown(key), kExportAgain);
       }
     }
     return true;
@@ -82,20 +82,20 @@ json parseHeader(std::string_view text, const std::string& name) {
   // The format wants the brace first, so that such a file is told from others by its ninth byte.
   if (text.empty() || text.front() != '{') {
     failInput("{}: byte {}: no JSON object begins here, so this is no safetensors file; {}", name,
-              kLengthBytes, kExportAnew);
+              kLengthBytes, kExportAgain);
   }
   // The JSON library takes a NUL for the end of its input and would not see what follows.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    failInput("{}: byte {}: the header is no JSON; {}", name, kLengthBytes + nul, kExportAnew);
+    failInput("{}: byte {}: the header is no JSON; {}", name, kLengthBytes + nul, kExportAgain);
   }
   try {
     HeaderGuard guard(name);
     return json::parse(text, std::ref(guard));
   } catch (const json::parse_error& error) {
     failInput("{}: byte {}: the header is no JSON; {}", name, kLengthBytes + error.byte - 1,
-              kExportAnew);
+              kExportAgain);
   } catch (const json::exception&) {
-    failInput("{}: header: holds a number that is too large; {}", name, kExportAnew);
+    failInput("{}: header: holds a number that is too large; {}", name, kExportAgain);
   }
 }
 
@@ -111,14 +111,14 @@ std::vector<std::size_t> wholeNumbers(const json& tensor, const char* key,
       if (good) numbers.push_back(number.get<std::size_t>());
     }
   }
-  if (!good) failInput("{}: '{}' is no list of whole numbers; {}", place, key, kExportAnew);
+  if (!good) failInput("{}: '{}' is no list of whole numbers; {}", place, key, kExportAgain);
   return numbers;
 }
 
 ScalarType typeOf(const json& tensor, const std::string& place) {
   const auto found = tensor.find("dtype");
   if (found == tensor.end() || !found->is_string()) {
-    failInput("{}: 'dtype' is no text; {}", place, kExportAnew);
+    failInput("{}: 'dtype' is no text; {}", place, kExportAgain);
   }
   const auto& type = found->get_ref<const std::string&>();
   if (type == "F32") return ScalarType::F32;
@@ -149,24 +149,24 @@ struct Range {
 };
 
 Tensor tensorOf(const json& value, std::span<const std::byte> data, Range& range) {
-  if (!value.is_object()) failInput("{}: is no object; {}", range.place, kExportAnew);
+  if (!value.is_object()) failInput("{}: is no object; {}", range.place, kExportAgain);
   Tensor tensor;
   tensor.type = typeOf(value, range.place);
   tensor.shape = wholeNumbers(value, "shape", range.place);
   const std::vector<std::size_t> offsets = wholeNumbers(value, "data_offsets", range.place);
   if (offsets.size() != 2 || offsets[0] > offsets[1]) {
-    failInput("{}: 'data_offsets' is no beginning and end; {}", range.place, kExportAnew);
+    failInput("{}: 'data_offsets' is no beginning and end; {}", range.place, kExportAgain);
   }
   range.begin = offsets[0];
   range.end = offsets[1];
   if (range.end > data.size()) {
     failInput("{}: ends at byte {} of the data, which has {}; the file is cut short or damaged, {}",
-              range.place, range.end, data.size(), kExportAnew);
+              range.place, range.end, data.size(), kExportAgain);
   }
   tensor.bytes = data.subspan(range.begin, range.end - range.begin);
   if (!fills(tensor.shape, tensor.type, tensor.bytes.size())) {
     failInput("{}: has {}, which its shape does not fill; {}", range.place,
-              counted(tensor.bytes.size(), "byte"), kExportAnew);
+              counted(tensor.bytes.size(), "byte"), kExportAgain);
   }
   return tensor;
 }
@@ -181,19 +181,19 @@ void checkRanges(std::vector<Range> ranges, std::size_t dataBytes, const std::st
     if (range.begin != end) {
       failInput("{}: begins at byte {} of the data, the tensor before it ends at {} ({}); {}",
                 range.place, range.begin, end, range.begin < end ? "they overlap" : "a gap",
-                kExportAnew);
+                kExportAgain);
     }
     end = range.end;
   }
   if (end != dataBytes) {
     failInput("{}: {} left over behind the last tensor; {}", name,
-              counted(dataBytes - end, "byte is", "bytes are"), kExportAnew);
+              counted(dataBytes - end, "byte is", "bytes are"), kExportAgain);
   }
 }
 
 std::map<std::string, std::string> metadataOf(const json& value, const std::string& name) {
   std::map<std::string, std::string> metadata;
-  if (!value.is_object()) failInput("{}: __metadata__: is no object; {}", name, kExportAnew);
+  if (!value.is_object()) failInput("{}: __metadata__: is no object; {}", name, kExportAgain);
   for (const auto& [key, text] : value.items()) {
     if (!text.is_string()) {
       failInput("{}: __metadata__: '{}' is no text; write it as one", name, shown(key));
@@ -237,7 +237,7 @@ std::vector<float> valuesOf(const Tensor& tensor) {
     const auto bits = static_cast<std::uint32_t>(littleEndian(tensor.bytes.subspan(at, step)));
     values.push_back(tensor.type == ScalarType::F32
                          ? std::bit_cast<float>(bits)
-                         : floatOfHalf(static_cast<std::uint16_t>(bits)));
+                         : glm::unpackHalf1x16(static_cast<std::uint16_t>(bits)));
   }
   return values;
 }

@@ -1,6 +1,6 @@
 // The container: named tensors and a table of texts. Format: the README of Hugging Face's
-// safetensors. What that forbids is refused here: duplicate keys, bytes that no tensor or two
-// tensors hold.
+// safetensors. Its rules are checked: no duplicate keys, and every byte belongs to exactly
+// one tensor.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,14 @@ struct Container {
   std::map<std::string, Tensor> tensors;
 };
 
-/// The mend that most messages end with: nobody repairs such a file by hand.
-inline constexpr const char* kExportAnew = "export the network anew";
+/// The fix that most messages end with: nobody repairs such a file by hand.
+inline constexpr const char* kExportAgain = "export the network again";
 
 /// Text of a file for a message: one line, cut where it is long.
 [[nodiscard]] std::string shown(const std::string& text);
 
 /// @param bytes the whole file; they must outlive the result @param name of the file in messages
-/// @throws InputError naming file, place and mend
+/// @throws InputError naming file, place and fix
 [[nodiscard]] Container parseSafetensors(std::span<const std::byte> bytes, const std::string& name);
 
 /// The values of a tensor, in its order. They may be infinite or NaN.

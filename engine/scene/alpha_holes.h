@@ -1,6 +1,6 @@
-// Which fragments of transparent surfaces are there at all, as far as it is known before drawing.
-// One whose alpha is LEAST_ALPHA (shared/scene_data.h) or less adds nothing: it is neither counted
-// nor stored, and takes no part in anything that is decided for a pixel.
+// Transparent surfaces that are known before drawing to have invisible fragments. A fragment whose
+// alpha is LEAST_ALPHA (shared/scene_data.h) or less is neither counted nor stored, and takes no
+// part in any decision for a pixel.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace macula::scene {
 
-/// Where fragments of a primitive add nothing by material, texture or cut-off. Corners whose alpha
-/// is 0 make no hole of their own: between them and others alpha is above 0, and triangles of
-/// nothing else are not drawn (isNothing()).
+/// Where material, texture or cut-off make fragments of a primitive invisible. A corner whose alpha
+/// is 0 makes no hole by itself: between it and the others alpha is above 0, and triangles with
+/// three such corners are not drawn (isNothing()).
 enum class AlphaHoles : std::uint8_t {
   None,  ///< nowhere: there is nothing to test
   Some,  ///< to be tested at each fragment

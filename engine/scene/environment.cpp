@@ -26,7 +26,7 @@ constexpr int kTexelsOfTimes = 8192;  ///< over the level's texels: how many tim
 constexpr float kGoldenAngle = 2.3999632F;
 
 /// Share of the sphere's area, times 2, above a row's upper edge (Archimedes): between two rows it
-/// differs by the area of what lies between.
+/// differs by the area between them.
 double bandTop(double row, int height) {
   return -std::cos(std::numbers::pi * row / height);
 }

@@ -24,12 +24,12 @@ struct Panorama {
 struct Environment {
   /// Level 0 is the panorama (scaled to at most kMaxSide); level i is blurred with the GGX lobe of
   /// roughness i / (levels - 1) (Karis 2013, "Real Shading in Unreal Engine 4", with V = N). No
-  /// texel exceeds kMostStored; what does in the picture is spread over the texels around it.
+  /// texel exceeds kMostStored; the excess is spread over the texels around it.
   std::vector<Panorama> levels;
   /// Irradiance / pi as spherical harmonics up to l = 2 (Ramamoorthi and Hanrahan 2001), from the
   /// radiance as it is given.
   std::array<glm::vec3, 9> irradiance{};
-  /// What of the picture is not taken as it is given; one line each, without the file's name.
+  /// Changes made to the picture, one line each, without the file's name.
   std::vector<std::string> warnings;
 };
 

@@ -5,36 +5,23 @@
 #include "engine/scene/glb_buffer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "engine/core/error.h"
 
 namespace macula::scene {
 namespace {
 
-// Numbers of OpenGL that glTF uses.
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
-constexpr int kArrayBuffer = 34962;
-constexpr int kElementArrayBuffer = 34963;
 constexpr int kNoTarget = 0;
 
 // Accessors must begin at a multiple of their component's size; 4 covers all.
 constexpr std::size_t kAlignment = 4;
 // glTF's indices are below the type's largest value, which would restart the primitive.
 constexpr std::size_t kMostShortVertices = std::numeric_limits<std::uint16_t>::max();
-
-const char* typeName(int components) {
-  switch (components) {
-    case 2:
-      return "VEC2";
-    case 3:
-      return "VEC3";
-    default:
-      return "VEC4";
-  }
-}
 
 /// The values of one attribute of all vertices, one after the other.
 template <typename Get>
@@ -49,89 +36,100 @@ std::vector<float> flatten(const Primitive& primitive, const Get& get) {
 
 }  // namespace
 
-std::size_t GlbBuffer::addView(std::span<const std::byte> bytes, int target) {
-  bytes_.resize((bytes_.size() + kAlignment - 1) / kAlignment * kAlignment);
-  GlbJson view{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
-  if (target != kNoTarget) view["target"] = target;
-  bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  views_.push_back(std::move(view));
-  return views_.size() - 1;
+int GlbBuffer::addView(std::span<const std::byte> bytes, int target) {
+  if (model_.buffers.empty()) model_.buffers.emplace_back();
+  std::vector<unsigned char>& data = model_.buffers.front().data;
+  data.resize((data.size() + kAlignment - 1) / kAlignment * kAlignment);
+  tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+  view.buffer = 0;
+  view.byteOffset = data.size();
+  view.byteLength = bytes.size();
+  view.target = target;
+  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+  data.insert(data.end(), first, first + bytes.size());
+  return static_cast<int>(model_.bufferViews.size()) - 1;
 }
 
-std::size_t GlbBuffer::addFloats(const std::vector<float>& values, int components) {
-  const std::size_t view = addView(std::as_bytes(std::span(values)), kArrayBuffer);
-  accessors_.push_back({{"bufferView", view},
-                        {"componentType", kFloat},
-                        {"count", values.size() / static_cast<std::size_t>(components)},
-                        {"type", typeName(components)}});
-  return accessors_.size() - 1;
+int GlbBuffer::addAccessor(int view, int componentType, int type, std::size_t count) {
+  tinygltf::Accessor& accessor = model_.accessors.emplace_back();
+  accessor.bufferView = view;
+  accessor.componentType = componentType;
+  accessor.type = type;
+  accessor.count = count;
+  return static_cast<int>(model_.accessors.size()) - 1;
 }
 
-std::size_t GlbBuffer::addIndices(const Primitive& primitive) {
+int GlbBuffer::addFloats(const std::vector<float>& values, int components) {
+  const int view = addView(std::as_bytes(std::span(values)), TINYGLTF_TARGET_ARRAY_BUFFER);
+  // TINYGLTF_TYPE_VEC2, _VEC3 and _VEC4 are 2, 3 and 4.
+  return addAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, components,
+                     values.size() / static_cast<std::size_t>(components));
+}
+
+int GlbBuffer::addIndices(const Primitive& primitive) {
+  int view = 0;
   const bool isShort = primitive.positions.size() <= kMostShortVertices;
-  std::size_t view = 0;
   if (isShort) {
     const std::vector<std::uint16_t> indices(primitive.indices.begin(), primitive.indices.end());
-    view = addView(std::as_bytes(std::span(indices)), kElementArrayBuffer);
+    view = addView(std::as_bytes(std::span(indices)), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   } else {
-    view = addView(std::as_bytes(std::span(primitive.indices)), kElementArrayBuffer);
+    view =
+        addView(std::as_bytes(std::span(primitive.indices)), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   }
-  accessors_.push_back({{"bufferView", view},
-                        {"componentType", isShort ? kUnsignedShort : kUnsignedInt},
-                        {"count", primitive.indices.size()},
-                        {"type", "SCALAR"}});
-  return accessors_.size() - 1;
+  return addAccessor(
+      view, isShort ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+      TINYGLTF_TYPE_SCALAR, primitive.indices.size());
 }
 
-GlbJson GlbBuffer::addPrimitive(const Primitive& primitive, bool withTangents, bool withUv) {
-  GlbJson attributes = GlbJson::object();
+tinygltf::Primitive GlbBuffer::addPrimitive(const Primitive& primitive, bool withTangents,
+                                            bool withUv) {
+  tinygltf::Primitive entry;
+  entry.mode = TINYGLTF_MODE_TRIANGLES;
+  entry.material = primitive.material;
   std::vector<float> positions;
   Bounds bounds;
   for (const glm::vec3& p : primitive.positions) {
     positions.insert(positions.end(), {p.x, p.y, p.z});
     bounds.add(p);
   }
-  const std::size_t position = addFloats(positions, 3);
-  accessors_[position]["min"] = {bounds.min.x, bounds.min.y, bounds.min.z};
-  accessors_[position]["max"] = {bounds.max.x, bounds.max.y, bounds.max.z};
-  attributes["POSITION"] = position;
+  const int position = addFloats(positions, 3);
+  entry.attributes["POSITION"] = position;
+  tinygltf::Accessor& described = model_.accessors[static_cast<std::size_t>(position)];
+  described.minValues = {bounds.min.x, bounds.min.y, bounds.min.z};
+  described.maxValues = {bounds.max.x, bounds.max.y, bounds.max.z};
 
   const auto any = [&](const auto& differs) {
     return std::any_of(primitive.attributes.begin(), primitive.attributes.end(), differs);
   };
-  attributes["NORMAL"] =
-      addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.normal; }), 3);
-  if (withTangents) {
-    attributes["TANGENT"] =
-        addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.tangent; }), 4);
-  }
+  const auto add = [&](const char* semantic, int components, const auto& get) {
+    entry.attributes[semantic] = addFloats(flatten(primitive, get), components);
+  };
+  add("NORMAL", 3, [](const VertexAttributes& v) { return v.normal; });
+  if (withTangents) add("TANGENT", 4, [](const VertexAttributes& v) { return v.tangent; });
   const bool second = any([](const VertexAttributes& v) { return v.uv1 != glm::vec2(0.0F); });
-  if (withUv || second) {
-    attributes["TEXCOORD_0"] =
-        addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.uv0; }), 2);
-  }
-  if (second) {
-    attributes["TEXCOORD_1"] =
-        addFloats(flatten(primitive, [](const VertexAttributes& v) { return v.uv1; }), 2);
-  }
+  if (withUv || second) add("TEXCOORD_0", 2, [](const VertexAttributes& v) { return v.uv0; });
+  if (second) add("TEXCOORD_1", 2, [](const VertexAttributes& v) { return v.uv1; });
   if (any([](const VertexAttributes& v) { return v.color != glm::vec4(1.0F); })) {
-    attributes["COLOR_0"] = addFloats(
-        flatten(primitive,
-                // The specification's range.
-                [](const VertexAttributes& v) { return glm::clamp(v.color, 0.0F, 1.0F); }),
-        4);
+    add("COLOR_0", 4, [](const VertexAttributes& v) {
+      return glm::clamp(v.color, 0.0F, 1.0F);  // the specification's range
+    });
   }
-  GlbJson entry{{"attributes", std::move(attributes)}, {"indices", addIndices(primitive)}};
-  if (primitive.material != kNone) entry["material"] = primitive.material;
+  entry.indices = addIndices(primitive);
   return entry;
 }
 
-GlbJson GlbBuffer::addImage(const Image& image) {
-  GlbJson entry = GlbJson::object();
-  if (!image.name.empty()) entry["name"] = image.name;
-  entry["mimeType"] = "image/png";
-  entry["bufferView"] = addView(pngBytes(image), kNoTarget);
-  return entry;
+void GlbBuffer::addImage(const Image& image) {
+  tinygltf::Image entry;
+  entry.name = validName(image.name);
+  entry.mimeType = "image/png";
+  entry.bufferView = addView(pngBytes(image), kNoTarget);
+  model_.images.push_back(std::move(entry));
+}
+
+std::string validName(const std::string& name) {
+  using nlohmann::json;
+  return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace))
+      .get<std::string>();
 }
 
 std::vector<std::byte> pngBytes(const Image& image) {

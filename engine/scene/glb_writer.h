@@ -14,11 +14,11 @@ namespace macula::scene {
 ///
 /// One mesh for each primitive that is placed, so that instances share it; images are PNG. Tangents
 /// are written where the material has a normal texture. Extensions, only where used:
-/// KHR_lights_punctual, KHR_materials_unlit, _transmission, _volume, _emissive_strength. What glTF
-/// has no place for stands in extras, where it is not the usual: `macula_ambient` (linear RGB) and
-/// `macula_occlusion` {radius (metres), samples} of the scene; `macula_casts_shadow` and
-/// `macula_shadow_taps` (a side) of lights; `macula_veins` {color (linear RGB), scale (veins a
-/// metre)} of materials; `macula_target_distance` (metres) of camera nodes.
+/// KHR_lights_punctual, KHR_materials_unlit, _transmission, _volume, _emissive_strength. Properties
+/// that glTF lacks are written as extras where they differ from the default: `macula_ambient`
+/// (linear RGB) and `macula_occlusion` {radius (metres), samples} of the scene;
+/// `macula_casts_shadow` and `macula_shadow_taps` (a side) of lights; `macula_veins` {color (linear
+/// RGB), scale (veins a metre)} of materials; `macula_target_distance` (metres) of camera nodes.
 /// @throws InputError where the file would pass 4 GiB, the format's limit
 [[nodiscard]] std::string glbBytes(const Scene& scene);
 

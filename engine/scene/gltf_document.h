@@ -1,4 +1,4 @@
-// A glTF file opened: its container and JSON checked, its buffers at hand.
+// An opened glTF file: container and JSON checked, buffers and objects read.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -17,7 +17,7 @@
 
 namespace macula::scene::gltf {
 
-/// Lines about what is not drawn, each once, in the order they came up.
+/// Lines about features that are not drawn, each once, in the order of their appearance.
 class Warnings {
  public:
   /// Adds a line unless it is there already. After kMaxLines the rest are only counted, so that a
@@ -68,7 +68,7 @@ struct Document {
 };
 
 /// Checks the container and the JSON, refuses unsupported required extensions, finds the buffers
-/// and hands the rest to tinygltf.
+/// and images and reads the rest as tinygltf's objects.
 /// @param bytes must outlive the document
 /// @throws InputError on malformed input
 [[nodiscard]] Document openDocument(std::span<const std::byte> bytes,

@@ -1,4 +1,4 @@
-// What Macula's own files say in extras: see glb_writer.h.
+// The extras that Macula writes into files: see glb_writer.h.
 #pragma once
 
 #include "engine/scene/gltf_document.h"

@@ -6,11 +6,14 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/scene/gltf_container.h"
 #include "engine/scene/gltf_document.h"
 #include "engine/scene/gltf_extras.h"
+#include "engine/scene/gltf_json.h"
 #include "engine/scene/gltf_materials.h"
 #include "engine/scene/gltf_meshes.h"
 #include "engine/scene/gltf_nodes.h"
+#include "engine/scene/gltf_uri.h"
 
 namespace macula::scene {
 namespace {
@@ -88,6 +91,27 @@ Scene loadGltf(const std::filesystem::path& file, const GltfLimits& limits) {
   Scene scene = loadGltfFromMemory(std::as_bytes(std::span(bytes)), folder, file.string(), limits);
   scene.name = file.stem().string();
   return scene;
+}
+
+std::vector<std::filesystem::path> referencedFiles(const std::filesystem::path& file) {
+  const std::string bytes = readTextFile(file);
+  const std::string name = file.string();
+  std::vector<std::filesystem::path> files;
+  try {
+    const gltf::Container container = gltf::splitContainer(std::as_bytes(std::span(bytes)), name);
+    const gltf::Json root = gltf::parseJson(container.json, name);
+    for (const char* list : {"buffers", "images"}) {
+      for (const gltf::Json& entry : gltf::arrayMember(root, list, name)) {
+        const std::string uri = gltf::stringMember(entry, "uri");
+        if (uri.empty() || uri.starts_with("data:")) continue;
+        const std::filesystem::path path = gltf::percentDecode(uri);
+        if (std::ranges::find(files, path) == files.end()) files.push_back(path);
+      }
+    }
+  } catch (const InputError&) {  // no glTF: loading it says why
+    files.clear();
+  }
+  return files;
 }
 
 }  // namespace macula::scene

@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/scene/scene.h"
 
 namespace macula::scene {
 
-/// What one file may ask for, so that a few malformed bytes cannot take the machine's memory. The
-/// defaults are far above real scenes.
+/// Limits of one file, so that a few malformed bytes cannot exhaust the memory. The defaults are
+/// far above real scenes.
 struct GltfLimits {
   std::uint64_t vertices = std::uint64_t{1} << 26U;    ///< over all primitives; 72 bytes each
   std::uint64_t indices = std::uint64_t{3} << 26U;     ///< over all primitives; 4 bytes each
@@ -29,7 +30,7 @@ struct GltfLimits {
 /// targets in their base shape. Images, in the order of the file, are PNG or JPEG; one that cannot
 /// be decoded or that no material reads is a single white pixel, so that Scene::images keeps the
 /// file's numbering. Everything left out is one line in Scene::warnings. No light is added.
-/// @throws InputError naming the file, the place in it and the mend, where it is missing or
+/// @throws InputError naming the file, the place in it and the fix, where it is missing or
 ///   malformed, or requires an extension that is not drawn
 [[nodiscard]] Scene loadGltf(const std::filesystem::path& file, const GltfLimits& limits = {});
 
@@ -40,5 +41,12 @@ struct GltfLimits {
                                        const std::filesystem::path& baseFolder,
                                        const std::string& displayName,
                                        const GltfLimits& limits = {});
+
+/// The files that a .gltf or .glb names beside itself: its buffers, then its images, each once, in
+/// the order of the file. Data inside the file does not count.
+/// @return paths relative to the file's folder, as it writes them but for percent-encoding; none
+///   where the file is no glTF
+/// @throws InputError where the file cannot be read
+[[nodiscard]] std::vector<std::filesystem::path> referencedFiles(const std::filesystem::path& file);
 
 }  // namespace macula::scene

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/scene/gltf_extras.h"
-#include "engine/scene/gltf_images.h"
 
 namespace macula::scene::gltf {
 namespace {

@@ -1,10 +1,12 @@
 #include "engine/scene/gltf_uri.h"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
 
@@ -19,17 +21,6 @@ int hexDigit(char c) {
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   return -1;
-}
-
-std::array<std::int8_t, 256> makeBase64Table() {
-  std::array<std::int8_t, 256> table{};
-  table.fill(-1);
-  constexpr std::string_view kAlphabet =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < kAlphabet.size(); ++i) {
-    table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::int8_t>(i);
-  }
-  return table;
 }
 
 // Whether a URI starts with a scheme ("http:"), RFC 3986 section 3.1.
@@ -70,22 +61,17 @@ std::string percentDecode(std::string_view text) {
 }
 
 std::optional<std::vector<std::byte>> base64Decode(std::string_view text) {
-  static const std::array<std::int8_t, 256> kTable = makeBase64Table();
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::vector<std::byte> bytes;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  std::uint32_t pending = 0;
-  unsigned bits = 0;
-  for (const char c : text) {
-    const std::int8_t digit = kTable[static_cast<unsigned char>(c)];
-    if (digit < 0) return std::nullopt;
-    pending = (pending << 6U) | static_cast<std::uint32_t>(digit);
-    bits += 6;
-    if (bits >= 8) {
-      bits -= 8;
-      bytes.push_back(static_cast<std::byte>((pending >> bits) & 0xFFU));
-    }
-  }
+  while (text.ends_with('=')) text.remove_suffix(1);
+  // OpenSSL takes whole groups of four, and padding anywhere for zeros.
+  if (text.find('=') != std::string_view::npos || text.size() % 4 == 1) return std::nullopt;
+  std::string padded(text);
+  padded.resize((text.size() + 3) / 4 * 4, '=');
+  std::vector<std::byte> bytes(padded.size() / 4 * 3);
+  const int decoded = EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                                      reinterpret_cast<const unsigned char*>(padded.data()),
+                                      static_cast<int>(padded.size()));
+  if (std::cmp_not_equal(decoded, bytes.size())) return std::nullopt;  // blanks around it, too
+  bytes.resize(text.size() * 3 / 4);
   return bytes;
 }
 

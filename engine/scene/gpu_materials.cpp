@@ -68,7 +68,7 @@ gl::SamplerId makeSampler(const Sampler& s) {
   return gl::SamplerId(id);
 }
 
-/// What a thin wall's volume lets through: Beer's law over the thickness (KHR_materials_volume).
+/// Transmittance of a thin wall's volume: Beer's law over the thickness (KHR_materials_volume).
 glm::vec3 attenuationOf(const Material& m) {
   if (m.attenuationDistance <= 0.0F || m.thickness <= 0.0F) return glm::vec3(1.0F);
   return glm::pow(m.attenuationColor, glm::vec3(m.thickness / m.attenuationDistance));

@@ -25,14 +25,14 @@ struct DrawRun {
   CullMode cull = CullMode::Back;
   bool lit = false;
   bool mask = false;
-  bool holed = false;  ///< transparent, and where alpha says so a fragment is not there
+  bool holed = false;                     ///< transparent, with fragments that alpha may discard
   std::int32_t texturedMaterial = kNone;  ///< kNone: no textures, materials may differ
 };
 
 /// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
 struct DrawList {
   std::vector<DrawRun> runs;       ///< by cull mode, shading and material
-  std::vector<DrawRun> depthRuns;  ///< merged: only the cull mode and what tests alpha split them
+  std::vector<DrawRun> depthRuns;  ///< merged: split only by cull mode and alpha test
   gl::Buffer commands;
   std::uint64_t triangles = 0;
   [[nodiscard]] bool empty() const { return runs.empty(); }
@@ -52,7 +52,7 @@ class GpuScene {
   [[nodiscard]] const DrawList& opaque() const { return opaque_; }
   [[nodiscard]] const DrawList& transparent() const { return transparent_; }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-  /// Least and greatest distance from a camera to what is transparent.
+  /// Least and greatest distance from a camera to transparent surfaces.
   [[nodiscard]] glm::vec2 transparentDistances(const Camera& camera) const {
     return distancesTo(transparentBounds_, camera);
   }
@@ -94,11 +94,11 @@ class GpuScene {
   gl::Buffer instanceNumbers_;
   gl::Buffer instances_;
   gl::Buffer materials_;
-  // What the buffer holds is a function of the view that was drawn last, whoever drew it.
+  // The buffer depends only on the view that was drawn last.
   mutable gl::Buffer lights_;
   mutable LightChoice lightChoice_;
   mutable std::vector<std::uint32_t> chosenLights_;
-  std::vector<shader::LightData> allLights_;  ///< where they do not all fit
+  std::vector<shader::LightData> allLights_;  ///< only where they do not all fit
   std::vector<gl::Texture> images_;
   std::vector<gl::SamplerId> samplers_;
   gl::Texture white_;

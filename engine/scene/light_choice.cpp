@@ -10,12 +10,11 @@
 namespace macula::scene {
 namespace {
 
-/// Lines of sight along each side of what a light can reach of the image, and places along each:
-/// more do not change which lights come first by more than lights differ that nobody could tell
-/// apart.
+/// Lines of sight along each side of the part of the image that a light reaches, and sample points
+/// on each line. More samples change the order only of lights that look alike.
 constexpr int kLines = 6;
 constexpr int kPlaces = 4;
-/// By which the bounds grow, and the least distance to a light, in radii of the scene.
+/// Growth of the bounds, and the least distance to a light, in radii of the scene.
 constexpr double kLeastRadii = 1e-3;
 
 struct Range {
@@ -40,7 +39,7 @@ Sight sightOf(const Camera& camera, float aspect) {
   return s;
 }
 
-/// Where a line is inside a box, from the eye on.
+/// The part of a line from the eye that lies inside a box.
 std::optional<Range> inside(const Bounds& box, const glm::dvec3& eye, const glm::dvec3& line) {
   Range r{0.0, 1e300};
   for (int axis = 0; axis < 3; ++axis) {
@@ -75,7 +74,7 @@ double strengthOf(const Light& light) {
   return glm::dot(weights, glm::dvec3(light.color)) * static_cast<double>(light.intensity);
 }
 
-/// What range and cone leave at a place, by KHR_lights_punctual, as shaders/lib/lighting.glsl.
+/// Attenuation by range and cone at a point, by KHR_lights_punctual, as shaders/lib/lighting.glsl.
 double windowAt(const Light& light, const glm::dvec3& fromLight, double squared) {
   double window = 1.0;
   if (light.range > 0.0F) {
@@ -138,7 +137,7 @@ double LightChoice::share(const Light& light, const Camera& camera, float aspect
   Range x{-sight.halfWidth, sight.halfWidth};
   Range y{-sight.halfHeight, sight.halfHeight};
   if (!everywhere && light.range > 0.0F) {
-    // Only where it reaches is looked, so that small lights do not fall between the lines.
+    // Only the part in its reach is sampled, so that small lights do not fall between the lines.
     const glm::dvec3 d = glm::dvec3(light.position) - sight.eye;
     const double ahead = glm::dot(d, sight.ahead);
     const auto range = static_cast<double>(light.range);
@@ -162,7 +161,7 @@ double LightChoice::share(const Light& light, const Camera& camera, float aspect
         sum += 1.0;
         continue;
       }
-      // A line stands for all within half a step of it: what is nearer is averaged out.
+      // A line represents all within half a step of it: nearer distances are averaged out.
       const double far = std::max(0.0, glm::dot(glm::dvec3(light.position) - sight.eye, line));
       const double least = std::max(kLeastRadii * radius, 0.5 * std::max(stepX, stepY) * far);
       sum += alongLine(light, sight, line, *r, least) / (r->high - r->low);
@@ -189,7 +188,7 @@ std::string lightsLeftOut(const Scene& scene, const Camera& camera, float aspect
   LightChoice choice(scene.lights, boundsOf(scene));
   if (!choice.needed()) return {};
   const std::span<const std::uint32_t> chosen = choice.choose(camera, aspect);
-  constexpr std::size_t kMostNames = 12;  // what a line has room for
+  constexpr std::size_t kMostNames = 12;  // in one line of text
   std::string names;
   const std::size_t left = scene.lights.size() - chosen.size();
   std::size_t named = 0;

@@ -1,4 +1,4 @@
-// Which lights light a frame, where a scene has more than one frame takes.
+// Selects the lights of a frame where a scene has more than the shaders take.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace macula::scene {
 
-/// Chooses those that add most to what is in view. A function of the camera alone: the same view
-/// has the same lights, whatever was drawn before, and equal ones are taken in the scene's order.
+/// Selects the lights that contribute most to the view. It depends on the camera alone, not on
+/// earlier frames; ties are resolved in the scene's order.
 class LightChoice {
  public:
   LightChoice() = default;
-  /// @param bounds of what is lit
+  /// @param bounds of the lit surfaces
   LightChoice(const std::vector<Light>& lights, const Bounds& bounds);
 
   /// Whether there are more lights than a frame takes.
@@ -37,9 +37,9 @@ class LightChoice {
   std::vector<std::uint32_t> order_;
 };
 
-/// One line that says how many lights a frame takes and which are not among those from a camera;
-/// empty where all are.
-/// @param from what the camera is, for example "the first frame"
+/// One line that says how many lights a frame takes and which lights a camera leaves out; empty
+/// where it leaves out none.
+/// @param from names the camera, for example "the first frame"
 [[nodiscard]] std::string lightsLeftOut(const Scene& scene, const Camera& camera, float aspect,
                                         const std::string& from);
 

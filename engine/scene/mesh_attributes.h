@@ -1,4 +1,5 @@
-// What a mesh leaves out and a renderer needs: triangle lists, normals, tangents.
+// Computes the parts of a mesh that a renderer needs and a file may omit: triangle lists, normals,
+// tangents.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A scene as plain data: what a file or a recipe holds, before any of it reaches the GPU.
+// A scene as plain data, before it is uploaded to the GPU.
 #pragma once
 
 #include <cstddef>
@@ -109,11 +109,11 @@ struct Instance {
 /// Taps a side of the shadow filter: usual, and the most that a scene can ask for.
 inline constexpr int kUsualShadowTaps = 3;
 inline constexpr int kMostShadowTaps = 15;
-/// A pixel's occlusion samples at the most: more change less than a display's step.
+/// Most occlusion samples of a pixel: more change less than a display's step.
 inline constexpr int kMostOcclusionSamples = 256;
-/// Materials with veins that a scene may have: their colours stand in a uniform buffer.
+/// Most materials with veins of a scene: their colours are in a uniform buffer.
 inline constexpr int kMostVeins = 8;
-/// Lights that a frame is lit by, out of as many as a scene has: see light_choice.h.
+/// Most lights of a frame; a scene may have more: see light_choice.h.
 inline constexpr int kMostLights = 32;
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };

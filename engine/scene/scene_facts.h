@@ -9,7 +9,7 @@ namespace macula::scene {
 
 struct SceneFacts {
   std::uint64_t opaqueTriangles = 0;       ///< OPAQUE and MASK, over all instances
-  std::uint64_t transparentTriangles = 0;  ///< without what alpha makes nothing of
+  std::uint64_t transparentTriangles = 0;  ///< without those that alpha makes invisible
   bool litOpaque = false;
   bool litTransparent = false;
   bool unlitOpaque = false;

@@ -1,4 +1,4 @@
-// What a scene holds, in numbers.
+// Counts of a scene: triangles, draws, materials, lights, textures.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A value of a TOML or a JSON document, whichever it is.
 #pragma once
 
-#include <toml++/toml.h>
+#include "engine/settings/toml.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -7,16 +7,20 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/settings/toml_scan.h"
 
 namespace macula::settings {
 namespace {
 
 /// A file of settings or an experiment is a few kilobytes; this stops a wrong file early.
 constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
+
+/// Each part of a dotted key is a table within the one before, and toml++ frees them recursively.
+/// This and TOML_MAX_NESTED_VALUES keep them some thousand deep, within any stack.
+constexpr std::size_t kMaxDotsPerLine = 256;
 
 /// No setting's key has this many parts; what lies deeper is reported as unknown.
 constexpr int kMaxDepth = 8;
@@ -127,6 +131,43 @@ std::string hintOf(std::string_view line, std::size_t column) {
   return isWord ? fmt::format("; text stands in quotes, \"{}\"", word) : "";
 }
 
+void checkDots(std::string_view text, std::string_view name) {
+  toml::source_index line = 1;
+  std::size_t dots = 0;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+    } else if (c == '.' && ++dots > kMaxDotsPerLine) {
+      failInput("{}:{}: more than {} dots; shorten the key, or break the list into lines", name,
+                line, kMaxDotsPerLine);
+    }
+  }
+}
+
+bool failsAssertion(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const TomlAssertion&) {
+    return true;
+  } catch (const toml::parse_error&) {
+  }
+  return false;
+}
+
+/// Assertions have no place in the text: this is the first line with which one fails.
+std::size_t lineOfAssertion(std::string_view text) {
+  std::vector<std::size_t> ends;  // of the lines
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos;
+       at = text.find('\n', at + 1)) {
+    ends.push_back(at + 1);
+  }
+  const auto first = std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) {
+    return !failsAssertion(text.substr(0, end));
+  });
+  return static_cast<std::size_t>(first - ends.begin()) + 1;
+}
+
 }  // namespace
 
 toml::table parseToml(std::string_view text, std::string_view name) {
@@ -134,9 +175,12 @@ toml::table parseToml(std::string_view text, std::string_view name) {
     failInput("{}: {} bytes are more than the {} that a TOML file may have; check the path", name,
               text.size(), kMaxTomlBytes);
   }
-  scanToml(text, name);
+  checkDots(text, name);
   try {
     return toml::parse(text);
+  } catch (const TomlAssertion&) {
+    failInput("{}:{}: is no TOML; check the brackets, quotes and signs of this line", name,
+              lineOfAssertion(text));
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
     failInput("{}:{}:{}: {}{}", name, at.line, at.column, error.description(),

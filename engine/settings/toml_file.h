@@ -1,17 +1,17 @@
 // Settings from TOML 1.0 (toml++).
 #pragma once
 
-#include <toml++/toml.h>
 #include <filesystem>
 #include <string_view>
 
 #include "engine/settings/registry.h"
+#include "engine/settings/toml.h"
 
 namespace macula::settings {
 
 /// Parses TOML text. @param name what to call the text in messages, usually its path
-/// @throws InputError "name:line:column: reason" for anything malformed, and for text that nests or
-/// weighs more than any settings file does (1 MiB; see also toml_scan.h).
+/// @throws InputError "name:line:column: reason" for anything malformed, and for text that nests
+/// deeper or is larger than any settings file (1 MiB, 256 dots a line, 16 values within values).
 [[nodiscard]] toml::table parseToml(std::string_view text, std::string_view name);
 
 /// Sets every value of a table, to any depth: `[oit] kAve = 4`, `oit.kAve = 4` and the alias

@@ -94,7 +94,7 @@ refuses "output is a file" good.glb "$macula" replay layers-2 --frames 1 --out g
 GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1 \
   refuses "context below 4.5" "4.5" "$macula" replay layers-2 --frames 1 --size 32x32 --out out --platform surfaceless
 if [[ -f $MACULA_BUILD/macula-image-io.so ]]; then  # a build with OpenImageIO
-  image=$MACULA_SOURCE/assets/gallery.png
+  image=$MACULA_SOURCE/docs/images/gallery.png
   mkdir modules
   refuses "image module missing" "modules/macula-image-io.so: this part of Macula is missing" \
     env MACULA_MODULES=modules "$macula" compare "$image" "$image"

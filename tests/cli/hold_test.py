@@ -172,7 +172,7 @@ def check_share(folder):
 
 
 def check_plant(folder):
-    """The settings of the laws reach the plant."""
+    """The settings of the laws reach the simulated GPU."""
     def used(*options):
         results = json.loads(hold(folder, "--plant", "--seeds", "1", "--json", "-",
                                   *options).stdout)

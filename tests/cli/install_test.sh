@@ -23,7 +23,7 @@ test -f "$prefix/out/report.json"
 image=$prefix/out/frame_00000.$images
 test -s "$image"
 # Its module is its own: without it the program says so, and works where it needs no image.
-rm -rf "$prefix/lib"
+rm -rf "${prefix:?}/lib"
 if [[ $images == exr ]]; then
   status=0
   "$prefix/bin/macula" compare "$image" "$image" 2>"$prefix/err.txt" || status=$?

@@ -29,6 +29,7 @@ mkdir -p "$tree/cmake"
 cp "$MACULA_SOURCE/.gitattributes" "$tree"
 cp "$MACULA_SOURCE/cmake/Version.cmake" "$MACULA_SOURCE/cmake/archive_commit.txt" "$tree/cmake"
 # In a source tree that is itself an archive, the file is filled in already.
+# shellcheck disable=SC2016  # git replaces it, not the shell
 echo '$Format:%H$' >"$tree/cmake/archive_commit.txt"
 export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b \
   GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b

@@ -92,7 +92,7 @@ rises() {
   probe_b=$(echo "$b" | awk '{ printf "%.6f,%.6f", $1 / 480, $2 / 320 }')
   for place in a b; do
     if [ $place = a ]; then at=$a; else at=$b; fi
-    xdotool mousemove ${at% *} ${at#* }
+    xdotool mousemove "${at% *}" "${at#* }"
     run="$title-$place"
     walk "$run" "$@" --size 480x320 --method kb-variable --heatmap k --no-panels --frames 3 \
       --probe "$probe_a" --probe "$probe_b"
@@ -103,6 +103,7 @@ rises() {
       "$run: the gaze is where the pointer was put"
     check "$([ "$(png_size "$run")" = "480 320" ] && echo 1)" "$run: the picture is the window"
   done
+  # shellcheck disable=SC2046  # two numbers each, and so four words
   set -- $(means_of "$title-a") $(means_of "$title-b")
   check "$(holds "${1:-0} > $factor * ${3:-1} && ${3:-0} > 0")" "$title: k rises at the first place"
   check "$(holds "${4:-0} > $factor * ${2:-1} && ${2:-0} > 0")" "$title: k rises at the second place"

@@ -6,7 +6,7 @@
 
 #include "allocation_count.h"
 #include "engine/scene/camera_path.h"
-#include "engine/scene/lighting_override.h"
+#include "engine/scene/material_override.h"
 #include "gl_fixture.h"
 #include "shared/scene_data.h"
 

@@ -1,4 +1,5 @@
 #!/bin/busybox sh
+# shellcheck shell=dash
 # The guest's first and only process: a bare system, the HID modules, then every scenario.
 /bin/busybox --install -s /bin
 export PATH=/bin
@@ -9,8 +10,8 @@ for module in hid hid-generic uhid; do insmod /modules/$module.ko || guest_exit 
 
 # Values that guest_exit hands out: 33 passed, 3 failed. A panic ends QEMU with status 0.
 failed=0
-for scenario in $(cat /scenarios); do
-  hid_probe "$scenario" /bin/uhid_tracker || failed=1
-done
+while read -r scenario; do
+  hid_probe "$scenario" /bin/uhid_tracker </dev/null || failed=1
+done </scenarios
 if [ $failed = 0 ]; then guest_exit 33; fi
 guest_exit 3

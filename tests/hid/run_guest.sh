@@ -28,7 +28,9 @@ if ldd "$busybox" >/dev/null 2>&1; then skip "busybox is not the static one (pac
 # The kernel package is unpacked, not installed: its modules are those of this guest alone.
 kernel=$work/kernel
 if [[ ! -f $kernel/complete ]]; then
-  command -v apt-get >/dev/null && command -v dpkg >/dev/null || skip "no apt-get to get a kernel with"
+  if ! command -v apt-get >/dev/null || ! command -v dpkg >/dev/null; then
+    skip "no apt-get to get a kernel with"
+  fi
   rm -rf "$kernel"
   mkdir -p "$kernel"
   package=$(apt-cache depends linux-image-cloud-amd64 2>/dev/null | sed -n 's/^ *Depends: *\(linux-image-[0-9]\S*\)$/\1/p' | head -1)

@@ -59,7 +59,7 @@ TEST(ExperimentCurve, AGapIsTakenAtThePointsOfBoth) {
   EXPECT_FALSE(gapBetween(a, {}));
 }
 
-/// full, a swept "plain" and a swept "better" that take turns.
+/// full, a swept "plain" and a swept "better" whose frames are interleaved.
 Experiment sweptExperiment(const std::string& target) {
   return parseExperiment(R"(title = "t"
 scenes = ["smoke"]

@@ -130,7 +130,7 @@ struct Fault {
 
 class ExperimentFault : public testing::TestWithParam<Fault> {};
 
-TEST_P(ExperimentFault, NamesPlaceAndMend) {
+TEST_P(ExperimentFault, NamesPlaceAndFix) {
   const std::string message = messageOf(smallWith(GetParam().part, GetParam().by));
   EXPECT_EQ(message.rfind(GetParam().place, 0), 0U) << message;
   EXPECT_NE(message.find(GetParam().word), std::string::npos) << message;

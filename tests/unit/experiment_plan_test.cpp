@@ -31,7 +31,7 @@ TEST(ExperimentPlan, EveryVariantMeetsItsBudgets) {
   const auto groups = expandText(kSmall);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].scene, "smoke");
-  ASSERT_EQ(groups[0].batches.size(), 1U) << "few points take turns in one batch";
+  ASSERT_EQ(groups[0].batches.size(), 1U) << "few points are interleaved in one batch";
   EXPECT_EQ(groups[0].batches[0].points.size(), 3U);
   EXPECT_EQ(keysOf(groups).size(), 6U) << "every key is its own";
 }

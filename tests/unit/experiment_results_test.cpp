@@ -70,7 +70,7 @@ TEST(ExperimentTarget, TimesOfDifferentRoundsAreNotDivided) {
   const auto rows = judgeOne(
       ratioTarget(), {pointOf("a", "k_ave 2", 5.0, 0), pointOf("c", "k_ave 2", 4.0, 0, "2")});
   EXPECT_EQ(rows[0].state, TargetRow::State::Unmeasured);
-  EXPECT_NE(rows[0].note.find("take turns"), std::string::npos) << rows[0].note;
+  EXPECT_NE(rows[0].note.find("interleaved"), std::string::npos) << rows[0].note;
 }
 
 TEST(ExperimentTarget, WhatNothingAnswersIsSaid) {

@@ -56,7 +56,7 @@ TEST(ExperimentSweep, EveryValueIsAPointOfOneBatch) {
   const Experiment e = parseExperiment(kSwept, "x.toml");
   const auto groups = expand(e, {});
   ASSERT_EQ(groups.size(), 1U);
-  ASSERT_EQ(groups[0].batches.size(), 1U) << "curves take turns with the base";
+  ASSERT_EQ(groups[0].batches.size(), 1U) << "curves are interleaved with the base";
   const auto& points = groups[0].batches[0].points;
   ASSERT_EQ(points.size(), 6U);
   EXPECT_FALSE(points[0].value);
@@ -101,7 +101,7 @@ struct Fault {
 
 class SweepFault : public testing::TestWithParam<Fault> {};
 
-TEST_P(SweepFault, NamesPlaceAndMend) {
+TEST_P(SweepFault, NamesPlaceAndFix) {
   try {
     (void)parseExperiment(sweptWith(GetParam().part, GetParam().by), "x.toml");
     FAIL() << "no error";
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"base = \"full\"", "base = \"ful\"", "x.toml:1:", "'full'"},
         Fault{"base = \"full\"", "base = \"plain\"", "x.toml:1:", "one point"},
         Fault{"base = \"full\"", "base = \"full\"\ncompare = [[\"plain\", \"better\"]]",
-              "x.toml:1:", "take turns"},
+              "x.toml:1:", "interleave"},
         Fault{"base =", "pixels_per_degree = 0\nbase =", "x.toml:3:", "1 to 1000"},
         Fault{"against = \"plain\"", "against = \"full\"", "x.toml:22:", "no sweep"},
         Fault{"against = \"plain\"", "against = [\"plain\", \"better\"]",

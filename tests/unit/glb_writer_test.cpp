@@ -313,9 +313,9 @@ TEST(GlbWriter, DescribesItsBuffersAsTheSpecificationAsks) {
   const json root = jsonOf(bytes);
   const std::size_t length = root["buffers"][0]["byteLength"];
   for (const json& view : root["bufferViews"]) {
-    EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0U);
-    EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(),
-              length);
+    const std::size_t offset = view.value("byteOffset", std::size_t{0});
+    EXPECT_EQ(offset % 4, 0U);
+    EXPECT_LE(offset + view["byteLength"].get<std::size_t>(), length);
   }
   for (const json& mesh : root["meshes"]) {
     for (const json& primitive : mesh["primitives"]) {

@@ -93,19 +93,19 @@ TEST_F(GltfFiles, ContentDecidesNotTheName) {
 }
 
 TEST_F(GltfFiles, ExternalBuffersAreFoundByDecodedUri) {
-  const std::string json = R"({"asset":{"version":"2.0"},
+  const std::string text = R"({"asset":{"version":"2.0"},
     "buffers":[{"uri":"my%20points.bin","byteLength":36}],
     "bufferViews":[{"buffer":0,"byteLength":36}],
     "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]})";
-  const fs::path file = write("a.gltf", json);
+  const fs::path file = write("a.gltf", text);
   EXPECT_SAYS(errorOf([&] { return loadGltf(file); }), "my%20points.bin' is missing");
   static_cast<void>(write("my points.bin", std::string(35, '\0')));
   EXPECT_SAYS(errorOf([&] { return loadGltf(file); }),
               "buffer 0: has 35 bytes where byteLength asks for 36");
   static_cast<void>(write("my points.bin", std::string(36, '\0')));
   EXPECT_EQ(describe(loadGltf(file)).triangles, 1U);
-  EXPECT_SAYS(messageOfText(json), "embed it");
+  EXPECT_SAYS(messageOfText(text), "embed it");
 }
 
 TEST(GltfContainer, MalformedBinariesAreRefused) {
@@ -119,7 +119,29 @@ TEST(GltfContainer, MalformedBinariesAreRefused) {
   EXPECT_SAYS(messageOfText("{\"asset\":"), "JSON cannot be read");
   EXPECT_SAYS(messageOfText(R"({"asset":{"version":"1.0"}})"), "convert the file");
   EXPECT_SAYS(messageOfText(std::string(100000, '[')), "neither");
-  EXPECT_SAYS(messageOfText("{\"a\":" + std::string(100000, '[')), "nested");
+  const std::string deep = "{\"a\":" + std::string(100000, '[');
+  EXPECT_SAYS(messageOfText(deep), "JSON cannot be read");
+  EXPECT_SAYS(messageOfText(deep + std::string(100000, ']') + "}"), "nested more than 256 deep");
+  EXPECT_EQ(messageOfText(R"({"asset":{"version":"2.0"},"a":)" + std::string(255, '[') +
+                          std::string(255, ']') + "}"),
+            "");
+}
+
+TEST(GltfContainer, BuffersDoNotCopyTheBinaryChunk) {
+  GltfBuilder builder;
+  builder.draw({{"attributes", {{"POSITION", builder.trianglePositions()}}}});
+  builder.binary.resize(std::size_t{1} << 20U);
+  // 20,000 buffers of 1 MiB: copies would take 20 GiB.
+  for (int i = 0; i < 20'000; ++i) {
+    builder.root["buffers"].push_back({{"byteLength", builder.binary.size()}});
+  }
+  std::string text = builder.root.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string chunks =
+      GltfBuilder::chunk(0x4E4F534A, text) + GltfBuilder::chunk(0x004E4942, builder.binary);
+  const Scene scene = GltfBuilder::loadText("glTF" + GltfBuilder::u32(2) +
+                                            GltfBuilder::u32(12 + chunks.size()) + chunks);
+  EXPECT_EQ(describe(scene).triangles, 1U);
 }
 
 TEST(GltfContainer, RequiredExtensionsMustBeKnown) {

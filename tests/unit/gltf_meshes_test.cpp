@@ -65,6 +65,41 @@ TEST(GltfMeshes, BadIndicesAreRefused) {
   EXPECT_SAYS(messageOf(restart), "primitive restart value 255");
 }
 
+TEST(GltfMeshes, MeshesThatCannotBeReadWholeAreRefused) {
+  Square square;
+  square.draw({{"attributes", square.attributes}});
+  EXPECT_EQ(messageOf(square), "");
+  json& primitives = square.root["meshes"][0]["primitives"];
+  primitives.push_back({{"indices", 0}});  // would be left out in silence
+  EXPECT_EQ(messageOf(square),
+            "test: mesh 0: 'attributes' property is missing in Primitive; correct the file or "
+            "export it again");
+  primitives = json::array();
+  EXPECT_SAYS(messageOf(square), "test: mesh 0: has no primitives;");
+  square.root["meshes"][0] = 7;
+  EXPECT_SAYS(messageOf(square), "test: mesh 0: is no JSON object;");
+  square.root["meshes"] = 7;
+  EXPECT_SAYS(messageOf(square), "test: 'meshes' is not an array;");
+}
+
+TEST(GltfMeshes, CompressionByDracoIsNamed) {
+  Square square;
+  json primitive{{"attributes", square.attributes}};
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+  square.draw(primitive);
+  EXPECT_EQ(messageOf(square), "") << "the same vertices stand in the file uncompressed";
+  square.root["accessors"][square.attributes["POSITION"].get<int>()].erase("bufferView");
+  EXPECT_SAYS(messageOf(square),
+              "test: mesh 0 primitive 0: is compressed with KHR_draco_mesh_compression");
+}
+
+TEST(GltfMeshes, IndicesOfMeshesThatAreNotDrawnAreChecked) {
+  Square square;
+  square.draw({{"attributes", square.attributes}, {"indices", 7}});
+  square.root.erase("nodes");
+  EXPECT_SAYS(messageOf(square), "test: mesh 0 primitive 0: names accessor 7 of 2");
+}
+
 TEST(GltfMeshes, MalformedReferencesAreRefused) {
   Square square;
   square.attributes["COLOR_0"] = square.attribute<float>({1, 1, 1}, kF32, "VEC3", 1);

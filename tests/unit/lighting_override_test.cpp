@@ -1,4 +1,4 @@
-#include "engine/scene/lighting_override.h"
+#include "engine/scene/material_override.h"
 
 #include <gtest/gtest.h>
 

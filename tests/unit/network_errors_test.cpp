@@ -1,4 +1,4 @@
-// Files that are no network, or a broken one: each refused with file, place and mend.
+// Files that are no network, or a broken one: each refused with file, place and fix.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ struct Case {
   std::function<std::string()> bytes;
   std::string place;
   std::string what;
-  std::string mend;
+  std::string fix;
 };
 
 void PrintTo(const Case& spoilt, std::ostream* out) {
@@ -41,24 +41,23 @@ std::string spoilt(const std::function<void(NetworkFile&)>& spoil) {
 
 /// A case that changes the file before it is put together.
 Case file(std::string name, std::function<void(NetworkFile&)> spoil, std::string place,
-          std::string what, std::string mend = "export the network anew") {
+          std::string what, std::string fix = "export the network again") {
   return {std::move(name), [spoil = std::move(spoil)] { return spoilt(spoil); }, std::move(place),
-          std::move(what), std::move(mend)};
+          std::move(what), std::move(fix)};
 }
 
 /// A case that sets one text of the metadata.
-Case text(std::string name, const char* key, const char* value, std::string what,
-          std::string mend) {
+Case text(std::string name, const char* key, const char* value, std::string what, std::string fix) {
   return file(
       std::move(name), [=](NetworkFile& f) { f.header["__metadata__"][key] = value; },
-      std::string("__metadata__: '") + key + "'", std::move(what), std::move(mend));
+      std::string("__metadata__: '") + key + "'", std::move(what), std::move(fix));
 }
 
 /// A case whose header is this text, with no data.
 Case header(std::string name, std::string text, std::string place, std::string what) {
   return {std::move(name),
           [text = std::move(text)] { return test::littleEndian(text.size(), 8) + text; },
-          std::move(place), std::move(what), "export the network anew"};
+          std::move(place), std::move(what), "export the network again"};
 }
 
 /// A case that moves a tensor's range.
@@ -79,7 +78,7 @@ Case value(std::string name, std::size_t at, float number, std::string place) {
       [=](NetworkFile& f) {
         f.data.replace(at, 4, test::littleEndian(std::bit_cast<std::uint32_t>(number), 4));
       },
-      std::move(place), "is not finite", "train anew");
+      std::move(place), "is not finite", "train again");
 }
 
 std::vector<Case> containerCases() {
@@ -90,11 +89,11 @@ std::vector<Case> containerCases() {
   const std::string weight = "tensor 'layer0.weight'";
   return {
       {"TooShort", [] { return std::string("abc"); }, "byte 0", "has 3 bytes, too few",
-       "export the network anew"},
+       "export the network again"},
       {"HeaderLongerThanFile", [] { return test::littleEndian(100, 8) + "{}"; }, "byte 0",
-       "said to have 100 bytes, 2 follow", "export the network anew"},
+       "said to have 100 bytes, 2 follow", "export the network again"},
       {"HeaderLengthOverflows", [] { return std::string(8, '\xFF') + "{}"; }, "byte 0",
-       "said to have 18446744073709551615 bytes", "export the network anew"},
+       "said to have 18446744073709551615 bytes", "export the network again"},
       {"HeaderTooLong", [] { return test::littleEndian(65537, 8) + "{" + std::string(65536, ' '); },
        "byte 0", "has 65537 bytes, the limit is 65536", "shorten its texts"},
       header("HeaderEmpty", "", place, "no JSON object begins here"),
@@ -196,7 +195,7 @@ std::vector<Case> metadataCases() {
            "training data"),
       text("ScaleZero", "scale", "1 0", "is 0 for 'normal'", "leave a feature out"),
       text("ScaleTooSmall", "scale", "1e-60 1", "is 0 for 'depth'", "leave a feature out"),
-      text("DataShort", "data", "abc", "is 'abc' and no SHA-256", "export the network anew"),
+      text("DataShort", "data", "abc", "is 'abc' and no SHA-256", "export the network again"),
       file(
           "DataNoHash",
           [](NetworkFile& f) { f.header["__metadata__"]["data"] = std::string(64, 'g'); },
@@ -293,7 +292,7 @@ std::vector<Case> layerCases() {
             f.addF16("layer0.weight", {2, 2}, {0, 0, 0, 0x7C00});
             f.addF16("layer0.bias", {2}, {0, 0});
           },
-          "tensor 'layer0.weight': value 3", "is not finite", "train anew"),
+          "tensor 'layer0.weight': value 3", "is not finite", "train again"),
   };
 }
 
@@ -310,7 +309,7 @@ TEST_P(NetworkErrors, NameFilePlaceAndMend) {
   EXPECT_THAT(message, StartsWith("net.safetensors: "));
   EXPECT_THAT(message, HasSubstr(spoilt.place));
   EXPECT_THAT(message, HasSubstr(spoilt.what));
-  EXPECT_THAT(message, HasSubstr(spoilt.mend));
+  EXPECT_THAT(message, HasSubstr(spoilt.fix));
 }
 
 std::string nameOf(const testing::TestParamInfo<Case>& info) {

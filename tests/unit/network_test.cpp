@@ -14,7 +14,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/network/half.h"
+#include "engine/network/safetensors.h"
 #include "tests/unit/network_builder.h"
 #include "tests/unit/temporary_path.h"
 
@@ -121,6 +121,11 @@ TEST(Network, FurtherMetadataIsLeftAlone) {
 }
 
 TEST(Network, HalvesAreExact) {
+  const auto floatOfHalf = [](std::uint16_t half) {
+    const std::array bytes{static_cast<std::byte>(half & 0xFFU),
+                           static_cast<std::byte>(half >> 8U)};
+    return valuesOf({.type = ScalarType::F16, .shape = {1}, .bytes = bytes}).at(0);
+  };
   EXPECT_EQ(floatOfHalf(0x3C00), 1.0F);
   EXPECT_EQ(floatOfHalf(0x3C01), 1.0F + 0x1p-10F);
   EXPECT_EQ(floatOfHalf(0xC000), -2.0F);

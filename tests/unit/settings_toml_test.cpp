@@ -143,52 +143,58 @@ TEST_F(TomlTest, MalformedTextNamesItsPlace) {
 TEST_F(TomlTest, DeepAndLargeTextIsRefusedBeforeItCosts) {
   std::string deep = "a";
   for (int i = 0; i < 200000; ++i) deep += ".a";
-  EXPECT_EQ(messageOf("\n" + deep + " = 1"), "x.toml:2: a key of more than 32 parts; shorten it");
+  const std::string refusal = "x.toml:2: more than 256 dots; shorten the key, or break the list";
+  EXPECT_TRUE(messageOf("\n" + deep + " = 1").starts_with(refusal));
+  EXPECT_TRUE(messageOf("\n['x'." + deep + "]").starts_with(refusal));
   EXPECT_NE(messageOf("\"\"\"\\\"\"\"\"." + deep + " = 1"), "no error");
-  EXPECT_NE(messageOf("['x'." + deep + "]").find("more than 32 parts"), std::string::npos);
   EXPECT_NE(messageOf("ssaa = " + std::string(100000, '[')), "no error");
   EXPECT_NE(messageOf(std::string(2 << 20, '#')).find("more than"), std::string::npos);
 }
 
 TEST_F(TomlTest, TheDeepestTextThatPassesIsFreedWithoutHarm) {
   std::string key = "a";
-  for (int i = 1; i < 32; ++i) key += ".a";
-  std::string text;
-  for (int i = 0; i < 250; ++i) text += key + " = { ";
-  text += "b = 1" + std::string(250, '}');
-  EXPECT_NE(messageOf(text).find("unknown setting"), std::string::npos);
+  for (int i = 0; i < 255; ++i) key += ".a";
+  std::string text = "[" + key + "]\n" + key + " = ";
+  // 7 arrays and as many tables of 256 within one another, and the number: 15 of 16 values.
+  for (int i = 0; i < 7; ++i) text += "[\n{ " + key + " = ";
+  text += "1";
+  for (int i = 0; i < 7; ++i) text += " } ]";
+  EXPECT_NE(messageOf(text).find("unknown setting"), std::string::npos) << messageOf(text);
+  const std::string nested = std::string(17, '[') + std::string(17, ']');
+  EXPECT_NE(messageOf("ssaa = " + nested).find("depth of 16"), std::string::npos);
 }
 
 TEST_F(TomlTest, LettersBeyondAsciiBelongInQuotes) {
-  const std::string letter = "\xCA\x9B";  // U+029B, for which the parser has no answer
-  EXPECT_EQ(messageOf("\na" + letter + " = 1"),
-            "x.toml:2: a letter beyond ASCII outside quotes; put quotes around it");
+  const std::string letter = "\xCA\x9B";  // U+029B, which toml++ 3.3 tests for blanks undefinedly
+  const std::string message = messageOf("\na" + letter + " = 1");
+  EXPECT_TRUE(message.starts_with("x.toml:2:2: ")) << message;
+  EXPECT_TRUE(message.ends_with("expected '=', saw '" + letter + "'")) << message;
   EXPECT_NE(messageOf("\"" + letter + "\" = 1").find("unknown setting"), std::string::npos);
-  EXPECT_NE(messageOf("a = \"\"\"\\ \n " + letter + "\"\"\"").find("after a backslash"),
+  EXPECT_NE(messageOf("a = \"\"\"\\ \n " + letter + "\"\"\"").find("unknown setting"),
             std::string::npos);
   EXPECT_EQ(messageOf("# " + letter + "\nssaa = 2"), "no error");
   EXPECT_EQ(messageOf("\xEF\xBB\xBFssaa = 2"), "no error");
 }
 
-TEST_F(TomlTest, SignsInTheMiddleOfAWordAreRefused) {
+TEST_F(TomlTest, SignsWhereNoneCanStandAreRefusedWithTheirLine) {
   for (const char* text :
        {"ssaa = 1\"a\"", "ssaa = 1.\"a\"", "a\"b\" = 1", "ssaa = \"a\"\"b\"", "a = [1\"\"]",
         "a = { b = 1'x' }", "a = 0=\"b\"", "a = 0[\"b\"]", "a = 0{}", "a{ = 1", "a[0] = 1"}) {
-    EXPECT_NE(messageOf(std::string("\n") + text).find(" where none can stand"), std::string::npos)
-        << text;
+    const std::string message = messageOf(std::string("\n") + text + "\nssaa = 2\n");
+    EXPECT_TRUE(message.starts_with("x.toml:2:")) << text << " " << message;
   }
 }
 
+// Texts that break an assertion of toml++, which knows no place: it is looked for.
 TEST_F(TomlTest, HeadingsWithoutANameAndBracketsThatDoNotMatchAreRefused) {
-  for (const char* text :
-       {"[\n", "[ \n", "[#", "[=]", "[.a]", "[\r\n", "[\ra]", "[[\n", "[[,a]]"}) {
-    EXPECT_NE(messageOf(std::string("\n") + text).find("x.toml:2: no name after the bracket"),
-              std::string::npos)
-        << text;
+  for (const char* text : {"[#", "[=]", "[.a]", "[\ra]", "[[,a]]", "[[[a]]]", "a = [}", "a = [1,}",
+                           "a = { b = 1, c = [}"}) {
+    const std::string message = messageOf(std::string("\n") + text + "\nssaa = 2\n[");
+    EXPECT_EQ(message.substr(0, 22), "x.toml:2: is no TOML; ") << text << " " << message;
   }
-  for (const char* text : {"[[[a]]]", "a = [}", "a = [1}", "a = { b = 1 ]"}) {
-    EXPECT_NE(messageOf(std::string("\n") + text).find(" where none can stand"), std::string::npos)
-        << text;
+  for (const char* text : {"[\n", "[ \n", "[\r\n", "[[\n", "a = [1}", "a = { b = 1 ]"}) {
+    const std::string message = messageOf(std::string("\n") + text);
+    EXPECT_TRUE(message.starts_with("x.toml:2:")) << text << " " << message;
   }
   EXPECT_NE(messageOf("[]"), "no error");
   EXPECT_NE(messageOf("["), "no error");

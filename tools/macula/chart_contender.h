@@ -58,22 +58,11 @@ class Contender {
   [[nodiscard]] const passes::RenderSettings& settings() const { return settings_->render; }
 
  private:
-  struct PassSamples {
-    std::string name;
-    std::vector<double> ms;
-  };
-  [[nodiscard]] experiment::Point bytes() const;
-  [[nodiscard]] std::optional<double> budgetUsed() const;
-  [[nodiscard]] experiment::Point shading() const;
-
   std::unique_ptr<VariantSettings> settings_;
   const Stage& stage_;
   passes::FrameRenderer renderer_;
   passes::FrameResult result_;
-  std::vector<double> totalMs_;
-  std::vector<double> transparencyMs_;
-  std::vector<double> shadingMs_;
-  std::vector<PassSamples> passes_;
+  std::vector<measure::FrameRecord> rounds_;
 };
 
 /// Adds errors against the reference to a point, writes image and error maps and names them.

@@ -34,6 +34,25 @@ void count(const measure::FragmentImage& image, const measure::LayerChoice& choi
 
 }  // namespace
 
+measure::FrameRecord recordOf(const OracleAnswer& answer, std::uint64_t bytes) {
+  const std::uint64_t generated = answer.stored + answer.merged + answer.lost;
+  measure::FrameRecord record;
+  record.set("bytes.total", bytes);
+  record.set("bytes.oit", bytes);
+  record.set("bytes.budget", bytes);
+  record.set("fragments.generated", generated);
+  record.set("fragments.stored", answer.stored);
+  record.set("fragments.merged", answer.merged);
+  record.set("fragments.lost", answer.lost);
+  record.set(
+      "fragments.loss",
+      generated > 0 ? static_cast<double>(answer.lost) / static_cast<double>(generated) : 0.0);
+  record.set("k.min", answer.kMin);
+  record.set("k.max", answer.kMax);
+  record.set("k.mean", answer.kMean);
+  return record;
+}
+
 struct Oracles::Fragments {
   measure::FragmentImage image;
   measure::DisplayTransform display;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "chart_contender.h"
+#include "engine/measure/frame_record.h"
 
 namespace macula::tools {
 
@@ -18,6 +19,10 @@ struct OracleAnswer {
   std::uint32_t kMax = 0;
   double kMean = 0.0;
 };
+
+/// The metrics of an answer: bytes, fragments and k; no times.
+/// @param bytes of the budget
+[[nodiscard]] measure::FrameRecord recordOf(const OracleAnswer& answer, std::uint64_t bytes);
 
 /// All fragments of a group's frame, and the oracles that choose from them.
 class Oracles {

@@ -11,7 +11,7 @@
 namespace macula::tools {
 
 /// Draws frame after frame by the exact renderer and by every member, so that one exact frame is
-/// in memory at a time, and gives each point its "path". Members begin with the history that they
+/// in memory at a time, and gives each point its "path". Members start with the history that they
 /// have; nothing is timed. A member that the machine refuses on the way gets {"reason"}.
 /// @param fps frames a second of the path
 /// @param members null where there is none; its point stays as it is

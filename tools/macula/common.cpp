@@ -14,7 +14,7 @@
 #include "engine/recording/reader.h"
 #include "engine/scene/light_choice.h"
 #include "engine/scene/load.h"
-#include "engine/scene/opacity_override.h"
+#include "engine/scene/material_override.h"
 
 namespace macula::tools {
 

@@ -16,7 +16,7 @@ namespace macula::tools {
 
 struct HoldOptions {
   bool plant = false;
-  int seeds = 20;  ///< of the plant
+  int seeds = 20;  ///< of the simulated GPU
   std::string scene;
   std::string gaze = "center";
   std::string camera = "auto";
@@ -47,7 +47,7 @@ struct LoadStep {
 /// @throws InputError naming --load
 [[nodiscard]] std::vector<LoadStep> parseLoads(const std::vector<std::string>& texts, int frames);
 
-/// Runs every law on every case of the plant; writes results and report where a folder is named.
+/// Runs every law on every case of the simulated GPU; writes results and report where a folder is named.
 void holdPlant(const HoldOptions& options);
 
 /// Holds the target on a scene, beside the same frames with a fixed r.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/core/plural.h"
+#include "engine/measure/summary.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -84,14 +86,19 @@ double leastOf(const HoldRecord& record, const control::HoldLoad& load, double m
 }
 
 /// Names of all passes, in the order in which they came first.
-std::vector<std::string_view> passNames(const HoldRecord& record) {
-  std::vector<std::string_view> names;
-  for (const HoldFrameRecord& frame : record.frames) {
-    for (const auto& [name, ms] : frame.passMs) {
+std::vector<std::string> passNames(std::span<const measure::FrameRecord> records) {
+  std::vector<std::string> names;
+  for (const measure::FrameRecord& record : records) {
+    for (const auto& [name, ms] : record.passMs) {
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }
   return names;
+}
+
+/// A comma and the value, as JSON has it; nothing behind the comma where there is none.
+std::string cellOf(const measure::Value& value) {
+  return value.index() == 0 ? "," : "," + measure::toJson(value).dump();
 }
 
 }  // namespace
@@ -140,6 +147,7 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
   json["verdict"] = verdict.word;
   json["reason"] = verdict.reason.empty() ? ordered_json(nullptr) : ordered_json(verdict.reason);
   json["held"] = measuresJson(m);
+  json["summary"] = measure::summaryOf(record.records, measure::kHold);
   json["fixed"] = {
       {"r", record.fixedResize}, {"spread", m.fixedSpread}, {"within_tolerance", m.fixedWithin}};
   json["parts"] = ordered_json::array();
@@ -154,21 +162,28 @@ ordered_json toJson(const HoldRecord& record, const HoldOptions& options) {
 }
 
 std::string toCsv(const HoldRecord& record) {
-  const std::vector<std::string_view> names = passNames(record);
+  const std::vector<std::string> passes = passNames(record.records);
   std::string csv =
       "frame,time_s,load,r,lever_resize,fovea_slope,layer_share,ms,resizable_ms,fixed_r_ms";
-  for (const std::string_view name : names) csv += fmt::format(",ms.{}", name);
+  for (const measure::Metric& metric : measure::kMetrics) {
+    if (metric.in(measure::kHold)) csv += fmt::format(",{}", metric.columnName());
+  }
+  for (const std::string& name : passes) csv += fmt::format(",ms.{}", name);
   csv += "\n";
   for (std::size_t i = 0; i < record.held.size(); ++i) {
     const control::HeldFrame& held = record.held[i];
-    const HoldFrameRecord& frame = record.frames[i];
+    const HoldFrame& frame = record.frames[i];
+    const measure::FrameRecord& numbers = record.records[i];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", i, frame.timeSeconds, held.load,
                        held.resize, frame.levers.resize, frame.levers.foveaSlope,
                        frame.levers.layerShare, held.ms, held.resizableMs, held.fixedMs);
-    for (const std::string_view name : names) {
+    for (std::size_t row = 0; row < measure::kMetrics.size(); ++row) {
+      if (measure::kMetrics[row].in(measure::kHold)) csv += cellOf(numbers.at(row));
+    }
+    for (const std::string& name : passes) {
       const auto pass =
-          std::ranges::find(frame.passMs, name, [](const auto& p) { return p.first; });
-      csv += pass == frame.passMs.end() ? "," : fmt::format(",{}", pass->second);
+          std::ranges::find(numbers.passMs, name, [](const auto& p) { return p.first; });
+      csv += pass == numbers.passMs.end() ? "," : fmt::format(",{}", pass->second);
     }
     csv += "\n";
   }

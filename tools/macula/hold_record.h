@@ -4,29 +4,27 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/control/hold_measures.h"
 #include "engine/frame/frame_inputs.h"
+#include "engine/measure/frame_record.h"
 #include "hold.h"
 #include "passes/frame_renderer.h"
 
 namespace macula::tools {
 
-/// One load, measured before the run at the path's begin.
+/// One load, measured at the start of the path, before the run.
 struct LoadTimes {
   int times = 1;
   double fullRateMs = 0.0;   ///< median at r = 1
   double firstResize = 1.0;  ///< that meets the target on the first view; the fixed r is their mean
 };
 
-/// A frame with what the measures leave out.
-struct HoldFrameRecord {
+/// A frame with what control::HoldMeasures leave out.
+struct HoldFrame {
   double timeSeconds = 0.0;  ///< on the path
   frame::Levers levers;      ///< as asked for; resize 0 where nothing was controlled
-  std::vector<std::pair<std::string_view, double>> passMs;  ///< names live as long as the renderer
 };
 
 struct HoldNotice {
@@ -46,8 +44,10 @@ struct HoldRecord {
   glm::ivec2 size{0};
   std::vector<LoadStep> steps;
   std::vector<LoadTimes> loads;
+  // One of each a frame, in their order.
   std::vector<control::HeldFrame> held;
-  std::vector<HoldFrameRecord> frames;
+  std::vector<HoldFrame> frames;
+  std::vector<measure::FrameRecord> records;
   std::vector<HoldNotice> notices;
   control::HoldMeasures measures;
   std::string interrupted;  ///< how far it came; empty: all frames were drawn

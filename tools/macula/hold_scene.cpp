@@ -12,6 +12,7 @@
 #include "engine/gaze/source.h"
 #include "engine/measure/statistics.h"
 #include "frame_control.h"
+#include "frame_record.h"
 #include "gaze_report.h"
 #include "hold.h"
 #include "hold_record.h"
@@ -119,15 +120,15 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     const passes::FrameResult result = held.render(source.camera, source.gaze, source.cut);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
-    HoldFrameRecord more{source.timeSeconds, held.inputs().levers, {}};
+    const frame::Levers levers = held.inputs().levers;
     frame.load = times;
-    frame.othersAtRest = more.levers.foveaSlope == 1.0F && more.levers.layerShare == 1.0F;
-    for (const frame::PassTime& pass : result.passes) more.passMs.emplace_back(pass.name, pass.ms);
+    frame.othersAtRest = levers.foveaSlope == 1.0F && levers.layerShare == 1.0F;
+    record.frames.push_back({source.timeSeconds, levers});
+    record.records.push_back(recordOf(held, result));
     fixed.setShadingLoad(times);
     fixed.setLevers(fixedLevers);
     frame.fixedMs = fixed.render(source.camera, source.gaze, source.cut).totalMs;
     record.held.push_back(frame);
-    record.frames.push_back(std::move(more));
     const std::string notice = control.controller().notice();
     if (notice != (record.notices.empty() ? "" : record.notices.back().text)) {
       record.notices.push_back({source.index, notice});

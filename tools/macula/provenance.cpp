@@ -9,8 +9,8 @@
 #include "engine/core/shell.h"
 #include "engine/gaze/log_reader.h"
 #include "engine/recording/reader.h"
+#include "engine/scene/gltf_loader.h"
 #include "engine/scene/load.h"
-#include "engine/scene/scene_files.h"
 #include "macula_version.h"
 
 namespace macula::tools {

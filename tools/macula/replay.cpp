@@ -16,6 +16,7 @@
 #include "engine/core/sha256.h"
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
+#include "frame_record.h"
 #include "recorded_levers.h"
 #include "replay_input.h"
 
@@ -162,20 +163,23 @@ void Replay::warmUp() {
 void Replay::draw(const Frame& frame) {
   follow(frame);
   const passes::FrameResult result = render(frame);
-  measure::FrameRecord record = recordOf(result, frame.gaze);
+  measure::FrameRecord record = recordOf(painter_->renderer(), result);
+  setGaze(record, frame.gaze);
   painter_->readBack();
-  record.index = static_cast<int>(frame.index);
-  record.timeSeconds = frame.timeSeconds;
-  record.imageSha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
-  input_.judge(frame, result, painter_->renderer(), record);
+  const std::string sha256 = sha256Hex(std::as_bytes(std::span(painter_->display().pixels)));
+  record.set("index", frame.index);
+  record.set("time_s", frame.timeSeconds);
+  record.set("image_sha256", sha256);
+  input_.judge({frame, result, painter_->renderer(), sha256}, record);
   const auto write = [&](const Painter& painter, std::string_view stem) {
-    if (!options_.images.empty()) painter.write(output_, stem, record.index, options_.images);
+    if (options_.images.empty()) return;
+    painter.write(output_, stem, static_cast<int>(frame.index), options_.images);
   };
   write(*painter_, "frame");
   if (Painter* painter = ordered(frame)) {
     painter->draw(frame);
     painter->readBack();
-    record.hazards = measure::countUnlikePixels(painter->display(), painter_->display());
+    record.set("hazards", measure::countUnlikePixels(painter->display(), painter_->display()));
   }
   if (reference_) {
     reference_->draw(frame);
@@ -199,8 +203,7 @@ void Replay::finish() {
   describeRun(run_, input_.sceneName(), options_, machine_, painter_->renderer(),
               painter_->renderer().outputSize());
   input_.describe(run_);
-  nlohmann::ordered_json report = measure::toJson(run_);
-  input_.extend(report);
+  const nlohmann::ordered_json report = measure::toJson(run_);
   const std::filesystem::path file = output_.file("report.json");
   writeFileAtomically(file, report.dump(2) + "\n");
   writeJson(options_.json, report);

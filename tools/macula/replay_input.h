@@ -12,6 +12,14 @@
 
 namespace macula::tools {
 
+/// A frame of a replay, and what came of it.
+struct DrawnFrame {
+  const recording::Frame& source;
+  const passes::FrameResult& result;
+  const passes::FrameRenderer& renderer;
+  const std::string& imageSha256;
+};
+
 class ReplayInput {
  public:
   ReplayInput() = default;
@@ -27,13 +35,10 @@ class ReplayInput {
   /// The scene that a frame sets, or the first is drawn with. Called once for each.
   /// @throws InputError where it cannot be loaded or is not the one that was recorded
   [[nodiscard]] virtual LoadedScene load(const recording::SceneSource& source) = 0;
-  /// Compares or completes the record of a frame that was drawn.
-  virtual void judge(const recording::Frame& frame, const passes::FrameResult& result,
-                     const passes::FrameRenderer& renderer, measure::FrameRecord& record) = 0;
-  /// Fills in what is the same for all frames.
+  /// Compares a frame that was drawn with what is expected of it, or completes its record.
+  virtual void judge(const DrawnFrame& drawn, measure::FrameRecord& record) = 0;
+  /// Fills in what is the same for all frames. After the last of them.
   virtual void describe(measure::RunRecord& run) = 0;
-  /// Adds to the report what is not of the run's record.
-  virtual void extend(nlohmann::ordered_json& report) const = 0;
   /// One line for a terminal, without its end.
   [[nodiscard]] virtual std::string summary(const nlohmann::ordered_json& report) const = 0;
   /// To be called last. @throws Difference where an image is not the recorded one

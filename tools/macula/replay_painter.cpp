@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/measure/image_error.h"
+#include "frame_record.h"
 #include "macula_version.h"
 
 namespace macula::tools {
@@ -23,37 +24,6 @@ void Painter::write(OutputFolder& folder, std::string_view stem, int index,
   if (format == "exr") image::writeExr(path, linear_);
 }
 
-measure::FrameRecord recordOf(const passes::FrameResult& result,
-                              const gaze::PointOfInterest& point) {
-  measure::FrameRecord record;
-  record.gazeX = point.position.x;
-  record.gazeY = point.position.y;
-  record.rawX = point.raw.x;
-  record.rawY = point.raw.y;
-  record.gazeState = gaze::stateName(point.state);
-  record.gazeAgeSeconds = point.ageSeconds;
-  record.gazeRadius = point.radius;
-  record.gazeSaccade = point.saccade;
-  record.resizeFactor = result.resizeFactor;
-  record.shading =
-      measure::ShadingNumbers{result.shading.pixels, result.shading.shaded, result.shading.holes};
-  record.totalMs = result.totalMs;
-  for (const frame::PassTime& pass : result.passes) {
-    record.passMs.emplace_back(pass.name, pass.ms);
-  }
-  if (result.fragments) {
-    record.fragments =
-        measure::FragmentNumbers{result.fragments->generated, result.fragments->stored,
-                                 result.fragments->merged, result.fragments->lost};
-  }
-  if (result.layers) {
-    record.layers =
-        measure::LayerNumbers{result.layers->min, result.layers->max, result.layers->mean};
-  }
-  record.exact = result.exact;
-  return record;
-}
-
 void describeRun(measure::RunRecord& run, const std::string& scene, const ReplayOptions& options,
                  const passes::Machine& machine, const passes::FrameRenderer& renderer,
                  glm::ivec2 size) {
@@ -69,33 +39,22 @@ void describeRun(measure::RunRecord& run, const std::string& scene, const Replay
     run.sync = passes::nameOf(renderer.plan().sync);
   }
   run.settings = options.registry.toJson();
-  const frame::ResourceBytes bytes = renderer.bytes();
-  run.oitBytes = bytes.oit;
-  run.budgetBytes = renderer.plan().budgetBytes;
-  run.overheadBytes = bytes.overhead;
-  run.gbufferBytes = bytes.gbuffer;
-  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
-    const auto resource = static_cast<frame::Resource>(i);
-    const frame::ByteClass kind = frame::infoOf(resource).bytes;
-    if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
-    const std::uint64_t own = renderer.resources().bytesOf(resource);
-    if (own > 0) run.transparencyBytes.emplace_back(frame::nameOf(resource), own);
-  }
+  run.transparencyBytes = transparencyBytes(renderer);
 }
 
-/// Fills in what compares a frame with its reference.
 void compareWithReference(measure::FrameRecord& record, const Painter& reference,
                           const Painter& test, const ReplayOptions& options,
                           measure::FlickerMeter& flicker) {
   measure::CompareOptions compare;
   compare.hdr = options.hdr;
   compare.pixelsPerDegree = options.pixelsPerDegree;
-  compare.gaze = glm::dvec2(record.gazeX, record.gazeY);
+  compare.gaze = glm::dvec2(record.number("gaze.x").value(), record.number("gaze.y").value());
   const image::ImageF wanted = measure::toDisplay(reference.linear());
   const image::ImageF got = measure::toDisplay(test.linear());
-  record.error = options.hdr ? measure::compareImages(reference.linear(), test.linear(), compare)
-                             : measure::compareImages(wanted, got, compare);
-  record.flicker = flicker.next(wanted, got);
+  measure::setError(record, options.hdr
+                                ? measure::compareImages(reference.linear(), test.linear(), compare)
+                                : measure::compareImages(wanted, got, compare));
+  record.set("flicker", flicker.next(wanted, got));
 }
 
 }  // namespace macula::tools

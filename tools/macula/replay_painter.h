@@ -1,4 +1,4 @@
-// What every replay draws with: a renderer with its images, and the records of its frames.
+// What every replay draws with: a renderer with its images, and what is compared with them.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -67,10 +67,6 @@ class Painter {
   image::ImageF linear_;
 };
 
-/// The numbers of a frame, its index, time and image aside.
-[[nodiscard]] measure::FrameRecord recordOf(const passes::FrameResult& result,
-                                            const gaze::PointOfInterest& point);
-
 /// Fills in what does not change from frame to frame.
 /// @param scene as the report names it
 /// @param size of the images, pixels
@@ -78,7 +74,7 @@ void describeRun(measure::RunRecord& run, const std::string& scene, const Replay
                  const passes::Machine& machine, const passes::FrameRenderer& renderer,
                  glm::ivec2 size);
 
-/// Fills in what compares a frame with its reference.
+/// Sets the metrics that compare a frame with its reference. Its gaze must be set.
 void compareWithReference(measure::FrameRecord& record, const Painter& reference,
                           const Painter& test, const ReplayOptions& options,
                           measure::FlickerMeter& flicker);

@@ -36,20 +36,18 @@ class PathInput final : public ReplayInput {
     return loaded;
   }
 
-  void judge(const recording::Frame& frame, const passes::FrameResult& /*result*/,
-             const passes::FrameRenderer& /*renderer*/, measure::FrameRecord& record) override {
+  void judge(const DrawnFrame& drawn, measure::FrameRecord& record) override {
     if (!followed_.hasDegrees()) return;
-    record.gazeErrorDegrees =
-        gaze::pointError(frame.gaze, trueGaze_->at(frame.timeSeconds), followed_.display());
+    const recording::Frame& frame = drawn.source;
+    record.set("fovea.error_deg",
+               gaze::pointError(frame.gaze, trueGaze_->at(frame.timeSeconds), followed_.display()));
   }
 
   void describe(measure::RunRecord& run) override {
     run.provenance = provenance_;
+    run.gazeLog = followed_.toJson();
+    run.gazeErrorBasis = followed_.errorBasis();
     followed_.printEnd(options_.fps, options_.frames);
-  }
-  void extend(nlohmann::ordered_json& report) const override {
-    report["gaze_log"] = followed_.toJson();
-    report["summary"]["gaze_error_deg"]["basis"] = followed_.errorBasis();
   }
   std::string summary(const nlohmann::ordered_json& report) const override {
     const auto& summary = report["summary"];

@@ -35,7 +35,7 @@ class RecordedInput final : public ReplayInput {
  public:
   RecordedInput(const ReplayOptions& options, Recording recording)
       : options_(options),
-        truncatedLines_(recording.truncatedLines),
+        numbers_{.frames = recording.frames.size(), .truncatedLines = recording.truncatedLines},
         frames_(framesOf(recording)),
         session_(std::move(recording.session)) {}
 
@@ -51,18 +51,18 @@ class RecordedInput final : public ReplayInput {
     return loadForRendering(recording::checkedScene(source), options_.settings);
   }
 
-  void judge(const recording::Frame& frame, const passes::FrameResult& result,
-             const passes::FrameRenderer& renderer, measure::FrameRecord& record) override {
-    unrecorded_ += frame.unrecorded;
-    const bool overflowed =
-        renderer.plan().method->grows() && result.fragments && result.fragments->lost > 0;
+  void judge(const DrawnFrame& drawn, measure::FrameRecord& /*record*/) override {
+    const recording::Frame& frame = drawn.source;
+    numbers_.unrecordedFrames += frame.unrecorded;
+    const bool overflowed = drawn.renderer.plan().method->grows() && drawn.result.fragments &&
+                            drawn.result.fragments->lost > 0;
     // These differ from run to run, and say so.
-    if (frame.imageSha256.empty() || renderer.isRacy() || overflowed) return;
-    ++compared_;
-    if (record.imageSha256 == frame.imageSha256) {
-      ++equal_;
-    } else if (!firstDifference_) {
-      firstDifference_ = frame.index;
+    if (frame.imageSha256.empty() || drawn.renderer.isRacy() || overflowed) return;
+    ++numbers_.hashesCompared;
+    if (drawn.imageSha256 == frame.imageSha256) {
+      ++numbers_.hashesEqual;
+    } else if (!numbers_.firstDifference) {
+      numbers_.firstDifference = frame.index;
     }
   }
 
@@ -78,47 +78,36 @@ class RecordedInput final : public ReplayInput {
          {"fps", nullptr},
          {"seed", options_.settings.seed}});
     run.provenance = measure::toJson(provenance);
-  }
-
-  void extend(nlohmann::ordered_json& report) const override {
-    report["gaze_log"] = nullptr;
-    report["summary"]["gaze_error_deg"]["basis"] =
-        "none: a recording holds the point of interest, not where the eye was";
-    report["recording"] = {{"frames", frames_.count()},        {"truncated_lines", truncatedLines_},
-                           {"unrecorded_frames", unrecorded_}, {"hashes_compared", compared_},
-                           {"hashes_equal", equal_},           {"first_difference", nullptr}};
-    if (firstDifference_) report["recording"]["first_difference"] = *firstDifference_;
+    run.gazeErrorBasis = "none: a recording holds the point of interest, not where the eye was";
+    run.recording = numbers_;
   }
 
   std::string summary(const nlohmann::ordered_json& report) const override {
     return fmt::format("{} of {} as recorded: median {:.2f} ms; {} of {} equal",
                        counted(report["frames"].size(), "frame"), oneLine(session_.scene.name),
-                       report["summary"]["ms"]["median"].get<double>(), equal_,
-                       counted(compared_, "image hash", "image hashes"));
+                       report["summary"]["ms"]["median"].get<double>(), numbers_.hashesEqual,
+                       counted(numbers_.hashesCompared, "image hash", "image hashes"));
   }
 
   void finish() const override {
-    if (!firstDifference_) return;
+    if (!numbers_.firstDifference) return;
     throw Difference(fmt::format(
         "{}: frame {} is the first of {} whose image is not the recorded one (recorded by {} on "
         "{}, {}{})",
-        options_.scene, *firstDifference_, compared_ - equal_, session_.commit, session_.renderer,
-        session_.version,
-        unrecorded_ > 0
-            ? fmt::format("; {} drawn unrecorded", counted(unrecorded_, "frame was", "frames were"))
+        options_.scene, *numbers_.firstDifference, numbers_.hashesCompared - numbers_.hashesEqual,
+        session_.commit, session_.renderer, session_.version,
+        numbers_.unrecordedFrames > 0
+            ? fmt::format("; {} drawn unrecorded",
+                          counted(numbers_.unrecordedFrames, "frame was", "frames were"))
             : ""));
   }
 
  private:
   const ReplayOptions& options_;
-  std::size_t truncatedLines_;
+  measure::RecordingNumbers numbers_;
   recording::ListedFrames frames_;
   recording::Session session_;
   bool loaded_ = false;  ///< the first scene
-  std::uint64_t unrecorded_ = 0;
-  std::size_t compared_ = 0;  ///< images whose hash was recorded
-  std::size_t equal_ = 0;
-  std::optional<std::uint64_t> firstDifference_;  ///< index of the frame
 };
 
 }  // namespace

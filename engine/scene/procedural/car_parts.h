@@ -44,7 +44,7 @@ struct Palette {
 
 /// Body, windows and what hangs under them.
 void addBody(SceneBuilder& builder, const Palette& palette);
-/// The place and the way out of the body's flank, for what is fixed to it.
+/// A point on the body's flank and its outward direction, for parts fixed to it.
 /// @param side -1 left, 1 right; @param share of the way from sill (0) to ridge (1)
 [[nodiscard]] glm::vec3 onBody(float x, float side, float share);
 

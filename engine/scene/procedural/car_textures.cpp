@@ -1,4 +1,4 @@
-// What is painted on the car and what it stands on.
+// Textures of the car and of the ground.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Staunton pieces: lathes, and what is carved on top of them.
+// Staunton pieces: lathes with carved tops.
 #include <algorithm>
 #include <array>
 #include <initializer_list>

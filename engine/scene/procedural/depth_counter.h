@@ -12,7 +12,7 @@ namespace macula::scene {
 
 /// A square frame of counters, seen through a camera. Rasterises both sides of every triangle with
 /// the rules of OpenGL (pixel centres, top-left edges) in integers, so that the outcome does not
-/// depend on the machine. Opaque surfaces that occlude() was not told of make real counts lower.
+/// depend on the machine. Opaque surfaces that are not passed to occlude() make real counts lower.
 class DepthCounter {
  public:
   /// @param tanHalfFov tangent of half the camera's field of view; given apart from the camera
@@ -20,7 +20,7 @@ class DepthCounter {
   /// @param size width and height in pixels, >= 1
   DepthCounter(const Camera& camera, float tanHalfFov, int size);
 
-  /// What is added from now on is not counted where it lies behind this opaque mesh. Triangles that
+  /// Later meshes are not counted where they lie behind this opaque mesh. Triangles that
   /// reach behind the camera's near plane hide nothing.
   void occlude(const Primitive& mesh, const glm::mat4& transform);
 

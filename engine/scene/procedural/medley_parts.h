@@ -1,4 +1,4 @@
-// What a medley is put together from: colours, coverages, a stage, and the groups that stand on it.
+// Parts of a medley: colours, alphas, a stage, and the groups that stand on it.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ class Alphas {
 /// A unit vector at right angles to `v` (unit length), evenly spread.
 [[nodiscard]] glm::vec3 perpendicular(const glm::vec3& v, Random& random);
 
-/// A scene that grows piece by piece, no deeper and no larger than it may.
+/// A scene that grows piece by piece within limits of depth and triangles.
 class Stage {
  public:
   /// @param depthLimit layers that may lie behind one another, seen through the camera
@@ -52,12 +52,12 @@ class Stage {
   [[nodiscard]] SceneBuilder& builder() { return builder_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
 
-  /// An opaque thing; what lies behind it takes no depth.
+  /// Adds an opaque thing; surfaces behind it do not count as depth.
   void addOpaque(Primitive mesh, std::int32_t material);
 
-  /// What a group may take of the triangles that are left, as one of `groups` that are to come.
+  /// The share of the remaining triangles for the next of `groups` groups.
   void share(std::size_t groups);
-  /// How many pieces of this size the group has still triangles for.
+  /// The number of pieces of this size for which the group has triangles left.
   [[nodiscard]] int room(std::size_t trianglesEach) const;
   /// Appends a transparent piece if triangles and depth allow. @return whether they did
   bool add(Primitive& group, const Primitive& piece);
@@ -73,7 +73,7 @@ class Stage {
   int ofGroup_ = 0;            ///< triangles of the present group
 };
 
-/// What one group is made with.
+/// The parameters of one group.
 struct Group {
   Stage& stage;
   Random random;

@@ -1,7 +1,8 @@
-// Shapes that the recipes are built from. Every function appends to a primitive.
+// Shapes for the recipes. Every function appends to a primitive.
 // Triangles run counter-clockwise seen from the side that the normals point to; lengths are metres.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -13,6 +14,9 @@ namespace macula::scene {
 std::uint32_t addVertex(Primitive& mesh, const glm::vec3& position, const glm::vec3& normal,
                         const glm::vec2& uv = glm::vec2(0.0F),
                         const glm::vec4& color = glm::vec4(1.0F));
+
+/// Appends a triangle of vertices that are there.
+void addTriangle(Primitive& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
 /// A flat quad: lower left a, lower right b, upper right c, upper left d, seen from its front. The
 /// image's top left (uvMin) comes to d and its bottom right (uvMax) to b.

@@ -1,5 +1,5 @@
-// What images computed in code are drawn with: noise on a lattice and a loop over pixels. Integers
-// and exact float arithmetic only, so that the bytes are the same on every machine.
+// Tools for images computed in code: lattice noise and a loop over pixels. Integers and exact float
+// arithmetic only, so that the bytes are the same on every machine.
 #pragma once
 
 #include <cmath>

@@ -36,8 +36,8 @@ inline constexpr int kMaxMedley = 9999;
 
 /// A still life of transparent things, another one for each n: two to five groups out of puffs,
 /// glass, strands, leaves, sheets, shells and confetti, between opaque things, with colours,
-/// alphas, lights and depth drawn at random. For training and trying what is to work on any scene,
-/// so that the scenes below stay unseen. At most 60,000 triangles; between about 6 and 150 surfaces
+/// alphas, lights and depth drawn at random. For training, so that
+/// the scenes below stay unseen. At most 60,000 triangles; between about 6 and 150 surfaces
 /// behind one another from its camera.
 /// @param n 0 .. kMaxMedley; the only seed
 [[nodiscard]] Scene makeMedley(int n);

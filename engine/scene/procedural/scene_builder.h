@@ -1,4 +1,4 @@
-// Puts a scene together: materials, shapes and where they stand.
+// Builds a scene from materials, shapes and placements.
 #pragma once
 
 #include <cstdint>
@@ -80,7 +80,7 @@ class SceneBuilder {
   return material;
 }
 
-/// Glass: a tinted blend of which both walls are drawn.
+/// Glass: a tinted, double-sided blend.
 [[nodiscard]] inline Material glassMaterial(std::string name, const glm::vec4& tint) {
   constexpr float kPolish = 0.08F;  // smooth, with a highlight that is still wider than a pixel
   Material material = plainMaterial(std::move(name), tint, kPolish);

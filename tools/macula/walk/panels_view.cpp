@@ -4,11 +4,11 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "engine/ui/legend.h"
 #include "engine/ui/widgets.h"
+#include "frame_record.h"
 #include "walk/panels.h"
 
 namespace macula::tools {
@@ -28,26 +28,46 @@ void drawHeatmapLegend(const PanelInput& input) {
   }
 }
 
-void drawFragments(const passes::FrameResult& result) {
-  if (!result.fragments) {
-    ImGui::TextDisabled("fragments are not counted by this method");
-    return;
-  }
-  ui::nameValue("fragments", ui::countText(result.fragments->generated));
-  ui::nameValue("  stored", ui::countText(result.fragments->stored));
-  if (result.fragments->merged > 0) {
-    ui::nameValue("  merged", ui::countText(result.fragments->merged));
-  }
-  const auto generated =
-      static_cast<double>(std::max<std::uint64_t>(1, result.fragments->generated));
+/// A value as it is read at a glance.
+std::string textOf(const measure::Metric& metric, const measure::Value& value) {
   constexpr double kPercent = 100.0;
-  ui::nameValue("  lost",
-                fmt::format("{} ({:.1f} %)", ui::countText(result.fragments->lost),
-                            kPercent * static_cast<double>(result.fragments->lost) / generated));
-  ui::nameValue("deepest sample", std::to_string(result.deepest));
-  if (result.layers) {
-    ui::nameValue("k least, mean, most", fmt::format("{}, {:.2f}, {}", result.layers->min,
-                                                     result.layers->mean, result.layers->max));
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* const flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+  if (const auto* const count = std::get_if<std::uint64_t>(&value)) {
+    return metric.unit == "bytes" ? ui::bytesText(*count) : ui::countText(*count);
+  }
+  const double number = std::get<double>(value);
+  if (metric.unit == "share") return fmt::format("{:.1f} %", kPercent * number);
+  if (metric.unit == "ms") return fmt::format("{:.1f} ms", number);
+  return fmt::format("{:.2f}", number);
+}
+
+/// A flag that should be set, and a count that should be 0, are marked.
+ui::Tone toneOf(const measure::Metric& metric, const measure::Value& value) {
+  const auto* const flag = std::get_if<bool>(&value);
+  if (flag != nullptr && metric.better == measure::Better::Higher) {
+    return *flag ? ui::Tone::Good : ui::Tone::Warning;
+  }
+  const auto* const count = std::get_if<std::uint64_t>(&value);
+  const bool fault = metric.better == measure::Better::Lower && metric.unit != "bytes";
+  return count != nullptr && fault && *count > 0 ? ui::Tone::Warning : ui::Tone::Plain;
+}
+
+/// The metrics of the frame that are for a walk. Where a level of names has no values, why.
+void drawMetrics(const measure::FrameRecord& record) {
+  std::string_view before;
+  for (std::size_t row = 0; row < measure::kMetrics.size(); ++row) {
+    const measure::Metric& metric = measure::kMetrics[row];
+    if (!metric.in(measure::kWalk)) continue;
+    const std::string_view level = metric.name.substr(0, metric.name.find('.'));
+    const bool first = level != before && level != metric.name;
+    before = level;
+    const measure::Value& value = record.at(row);
+    if (value.index() > 0) {
+      ui::nameValue(metric.title, textOf(metric, value), toneOf(metric, value));
+    } else if (first) {
+      ui::nameValue(metric.title, metric.none, ui::Tone::Quiet);
+    }
   }
 }
 
@@ -125,28 +145,13 @@ void Panels::drawSettingsTab(Requests& requests) {
 }
 
 void Panels::drawNumbers(const PanelInput& input) {
-  const passes::FrameRenderer& renderer = input.renderer;
   const std::optional<double> rate = input.rate.perSecond();
   ui::nameValue(fmt::format("frame {}", input.events.index),
                 rate ? fmt::format("{:.1f} frames a second", *rate) : std::string());
   drawMethodTimes(input);
   timeline_.draw();
   ImGui::Separator();
-  drawFragments(input.result);
-  ui::nameValue("every fragment shown", input.result.exact ? "yes" : "no",
-                input.result.exact ? ui::Tone::Good : ui::Tone::Warning);
-  if (input.result.lockFailures > 0) {
-    ui::nameValue("locks given up", ui::countText(input.result.lockFailures), ui::Tone::Warning);
-  }
-  ImGui::Separator();
-  const frame::ResourceBytes bytes = renderer.bytes();
-  ui::nameValue("fragment storage", ui::bytesText(bytes.oit));
-  if (renderer.plan().budgetBytes) {
-    ui::nameValue("  budget", ui::bytesText(*renderer.plan().budgetBytes));
-  }
-  ui::nameValue("counts and maps", ui::bytesText(bytes.overhead));
-  ui::nameValue("G-buffer", ui::bytesText(bytes.gbuffer));
-  ui::nameValue("other images", ui::bytesText(bytes.other));
+  drawMetrics(recordOf(input.renderer, input.result));
 }
 
 }  // namespace macula::tools

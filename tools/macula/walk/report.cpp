@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frame_record.h"
+
 namespace macula::tools {
 
 using frame::Resource;
@@ -32,21 +34,23 @@ std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 pla
 
 namespace {
 
-ordered_json fragmentsOf(const passes::FrameResult& result) {
-  if (!result.fragments) return nullptr;
-  return {{"generated", result.fragments->generated},
-          {"stored", result.fragments->stored},
-          {"merged", result.fragments->merged},
-          {"lost", result.fragments->lost}};
+/// The metrics of a frame, each level of keys without any value null.
+ordered_json metricsOf(const measure::FrameRecord& record) {
+  ordered_json json = ordered_json::object();
+  measure::addTo(json, record, measure::kWalk, measure::None::Group);
+  return json;
 }
 
 ordered_json secondOf(const SecondView& second) {
   if (!second.shown()) return nullptr;
-  return {{"view", viewModeNames()[static_cast<std::size_t>(second.mode())]},
-          {"method", second.settings().oit.method},
-          {"difference_scale", second.differenceScale()},
-          {"ms", {{"total", second.result().totalMs}, {"median", second.time().medianMs()}}},
-          {"fragments", fragmentsOf(second.result())}};
+  ordered_json json{{"view", viewModeNames()[static_cast<std::size_t>(second.mode())]},
+                    {"method", second.settings().oit.method},
+                    {"difference_scale", second.differenceScale()}};
+  const passes::FrameRenderer* renderer = second.renderer();
+  json.update(metricsOf(renderer == nullptr ? measure::FrameRecord()
+                                            : recordOf(*renderer, second.result())));
+  if (renderer != nullptr) json["ms"]["median"] = second.time().medianMs();
+  return json;
 }
 
 ordered_json errorOf(const ErrorCheck& errors) {
@@ -99,16 +103,10 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   json["camera"] = {{"position", placeOf(report.events.camera.position)},
                     {"target", placeOf(report.events.camera.target)},
                     {"playing", report.playing}};
-  json["ms"] = {{"total", report.result.totalMs}};
-  for (const frame::PassTime& pass : report.result.passes) {
-    json["ms"][std::string(pass.name)] = pass.ms;
-  }
+  const measure::FrameRecord record = recordOf(report.renderer, report.result);
+  json.update(metricsOf(record));
+  for (const auto& [name, ms] : record.passMs) json["ms"][name] = ms;
   if (report.framesPerSecond) json["frames_per_second"] = *report.framesPerSecond;
-  json["fragments"] = fragmentsOf(report.result);
-  json["k"] = nullptr;
-  if (const auto& layers = report.result.layers) {
-    json["k"] = {{"min", layers->min}, {"max", layers->max}, {"mean", layers->mean}};
-  }
   json["control"] = controlOf(report);
   json["second"] = secondOf(report.second);
   json["error"] = errorOf(report.errors);
