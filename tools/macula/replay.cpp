@@ -52,7 +52,8 @@ class Replay {
   /// Does what was done before the frame: settings, scene, size, resets, levers.
   void follow(const Frame& frame);
   void apply(const recording::Settings& settings);
-  void loadScene(const Frame& frame);
+  /// @param frame the first that is drawn with it
+  void loadScene(const recording::SceneSource& source, const Frame& frame);
   passes::FrameResult render(const Frame& frame);
   template <typename Function>
   void forEachPainter(const Function& function) {
@@ -86,7 +87,8 @@ Replay::Replay(ReplayOptions& options, ReplayInput& input, OutputFolder& output,
       begin_(begin),
       context_(platformOf(options.platform)) {
   options.settings.tonemap.linearOut = options.reference || options.images == "exr";
-  apply({});
+  apply(input.settings());
+  loadScene(input.scene(), input.frames().first());
 }
 
 void Replay::apply(const recording::Settings& settings) {
@@ -106,8 +108,8 @@ void Replay::apply(const recording::Settings& settings) {
   orderedSettings_ = orderedOf(options_.settings);
 }
 
-void Replay::loadScene(const Frame& frame) {
-  const LoadedScene loaded = input_.load(frame.scene);
+void Replay::loadScene(const recording::SceneSource& source, const Frame& frame) {
+  const LoadedScene loaded = input_.load(source);
   printWarnings(loaded.scene, frame.camera, aspectOf(frame.size));
   run_.loadMs += loaded.loadMs;
   auto gpu = std::make_unique<scene::GpuScene>(loaded.scene,
@@ -118,7 +120,7 @@ void Replay::loadScene(const Frame& frame) {
 
 void Replay::follow(const Frame& frame) {
   if (!frame.settings.empty()) apply(frame.settings);
-  if (!gpu_ || !frame.scene.name.empty()) loadScene(frame);
+  if (!frame.scene.name.empty()) loadScene(frame.scene, frame);
   if (!painter_) {
     painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
     if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
@@ -200,7 +202,7 @@ void Replay::run() {
 void Replay::finish() {
   const std::size_t asked = input_.frames().count();
   run_.interrupted = run_.frames.size() < asked;
-  describeRun(run_, input_.sceneName(), options_, machine_, painter_->renderer(),
+  describeRun(run_, input_.scene().name, options_, machine_, painter_->renderer(),
               painter_->renderer().outputSize());
   input_.describe(run_);
   const nlohmann::ordered_json report = measure::toJson(run_);

@@ -30,9 +30,11 @@ class ReplayInput {
   [[nodiscard]] virtual recording::FrameSource& frames() = 0;
   /// Times that the first frame is drawn before it counts.
   [[nodiscard]] virtual int warmup() const = 0;
-  /// As the report names it.
-  [[nodiscard]] virtual std::string sceneName() const = 0;
-  /// The scene that a frame sets, or the first is drawn with. Called once for each.
+  /// Settings that the first scene is loaded with: those of the first frame may be others.
+  [[nodiscard]] virtual recording::Settings settings() const { return {}; }
+  /// The first scene; its name is that of the report.
+  [[nodiscard]] virtual recording::SceneSource scene() const = 0;
+  /// Loads scene(), and each one that a frame sets. Called once for each.
   /// @throws InputError where it cannot be loaded or is not the one that was recorded
   [[nodiscard]] virtual LoadedScene load(const recording::SceneSource& source) = 0;
   /// Compares a frame that was drawn with what is expected of it, or completes its record.

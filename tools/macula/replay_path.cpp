@@ -29,7 +29,7 @@ class PathInput final : public ReplayInput {
 
   recording::FrameSource& frames() override { return *frames_; }
   int warmup() const override { return options_.warmup; }
-  std::string sceneName() const override { return options_.scene; }
+  recording::SceneSource scene() const override { return {options_.scene, {}, {}}; }
   LoadedScene load(const recording::SceneSource& /*source*/) override {
     LoadedScene loaded = std::move(loaded_.value());
     loaded_.reset();

@@ -21,27 +21,18 @@ std::string framesFileOf(const std::string& folder) {
   return (std::filesystem::path(folder) / recording::kFramesFile).string();
 }
 
-/// The frames as data of one kind: what the session says goes into the first.
-std::vector<recording::Frame> framesOf(Recording& recording) {
-  recording::Frame& first = recording.frames.front();
-  recording::Settings settings = recording.session.settings;
-  settings.insert(settings.end(), first.settings.begin(), first.settings.end());
-  first.settings = std::move(settings);
-  if (first.scene.name.empty()) first.scene = recording.session.scene;
-  return std::move(recording.frames);
-}
-
 class RecordedInput final : public ReplayInput {
  public:
   RecordedInput(const ReplayOptions& options, Recording recording)
       : options_(options),
         numbers_{.frames = recording.frames.size(), .truncatedLines = recording.truncatedLines},
-        frames_(framesOf(recording)),
+        frames_(std::move(recording.frames)),
         session_(std::move(recording.session)) {}
 
   recording::FrameSource& frames() override { return frames_; }
   int warmup() const override { return 0; }
-  std::string sceneName() const override { return session_.scene.name; }
+  recording::Settings settings() const override { return session_.settings; }
+  recording::SceneSource scene() const override { return session_.scene; }
 
   LoadedScene load(const recording::SceneSource& source) override {
     if (!loaded_ && !session_.environmentSha256.empty()) {
