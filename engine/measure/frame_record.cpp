@@ -59,11 +59,6 @@ std::optional<double> FrameRecord::number(std::size_t row) const {
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-std::string_view FrameRecord::text(MetricId metric) const {
-  const auto* const text = std::get_if<std::string>(&values_[metric.row]);
-  return text == nullptr ? std::string_view() : std::string_view(*text);
-}
-
 void setError(FrameRecord& record, const ImageError& error) {
   record.set("error.rmse", error.rmse);
   record.set("error.psnr_db", error.psnrDb);

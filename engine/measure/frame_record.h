@@ -56,9 +56,6 @@ class FrameRecord {
   [[nodiscard]] std::optional<double> number(std::size_t row) const;
   [[nodiscard]] std::optional<double> number(MetricId metric) const { return number(metric.row); }
 
-  /// A text; empty where there is none.
-  [[nodiscard]] std::string_view text(MetricId metric) const;
-
   /// Milliseconds of each pass, in the order in which they ran.
   std::vector<std::pair<std::string, double>> passMs;
 
