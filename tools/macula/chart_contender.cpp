@@ -62,12 +62,10 @@ image::ImageF Contender::display() const {
 Point Contender::bytes() const {
   const frame::ResourceBytes sum = renderer_.bytes();
   Point buffers = Point::object();
-  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
-    const auto resource = static_cast<frame::Resource>(i);
-    const frame::ByteClass kind = frame::infoOf(resource).bytes;
+  for (const frame::Resource* resource : renderer_.resources().list()) {
+    const frame::ByteClass kind = resource->bytes;
     if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
-    const std::uint64_t bytes = renderer_.resources().bytesOf(resource);
-    if (bytes > 0) buffers[std::string(frame::nameOf(resource))] = bytes;
+    buffers[std::string(resource->name)] = renderer_.resources().bytesOf(*resource);
   }
   return {{"transparency", sum.oit + sum.overhead},
           {"oit", sum.oit},

@@ -11,12 +11,6 @@ frame::Levers leversOf(const control::LeverValues& values) {
           .layerShare = static_cast<float>(values[Lever::LayerShare])};
 }
 
-/// Whether fewer layers take less time: the slots of stencil routing are samples of the target, of
-/// which those not used lie idle.
-bool hasLayers(const passes::Method& method) {
-  return method.hasBudget() && method.insertion != passes::Insertion::StencilRouted;
-}
-
 }  // namespace
 
 std::string clockFaultOf(const gl::TimeSourceCheck& check) {
@@ -30,7 +24,7 @@ void FrameControl::steer(passes::FrameRenderer& renderer) {
   const control::LeverWork work{
       .resize = renderer.canResize(),
       .fovea = rendering_.foveation.enabled,
-      .layers = hasLayers(passes::methodById(rendering_.oit.method)) &&
+      .layers = passes::methodById(rendering_.oit.method).costFollowsBudget() &&
                 renderer.inputs().facts.transparentTriangles > 0,
   };
   const control::LeverValues& values =

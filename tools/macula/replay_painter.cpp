@@ -65,7 +65,7 @@ void describeRun(measure::RunRecord& run, const std::string& scene, const Replay
   run.version = machine.capabilities.version;
   run.timeSource = gl::nameOf(machine.time.source);
   run.method = options.settings.oit.method;
-  if (renderer.plan().method->insertion == passes::Insertion::Sorted) {
+  if (renderer.plan().sorted()) {
     run.sync = passes::nameOf(renderer.plan().sync);
   }
   run.settings = options.registry.toJson();
@@ -74,12 +74,10 @@ void describeRun(measure::RunRecord& run, const std::string& scene, const Replay
   run.budgetBytes = renderer.plan().budgetBytes;
   run.overheadBytes = bytes.overhead;
   run.gbufferBytes = bytes.gbuffer;
-  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
-    const auto resource = static_cast<frame::Resource>(i);
-    const frame::ByteClass kind = frame::infoOf(resource).bytes;
+  for (const frame::Resource* resource : renderer.resources().list()) {
+    const frame::ByteClass kind = resource->bytes;
     if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
-    const std::uint64_t own = renderer.resources().bytesOf(resource);
-    if (own > 0) run.transparencyBytes.emplace_back(frame::nameOf(resource), own);
+    run.transparencyBytes.emplace_back(resource->name, renderer.resources().bytesOf(*resource));
   }
 }
 

@@ -98,7 +98,7 @@ void Panels::drawViewTab(const PanelInput& input, Requests& requests) {
     panel_.row("oit.memoryMiB");
     panel_.row("oit.tail");
   }
-  if (method.allocation == passes::Allocation::ImportanceMap) {
+  if (method.followsImportance()) {
     panel_.row("oit.fill");
     panel_.row("oit.importance");
   }
