@@ -43,7 +43,7 @@ OPTIONS_OF_K_BUFFERS = [
     f"kb-variable {SCARCE} --oit.importance learned --oit.tail mean --oit.fill on",
     f"kb-variable {SCARCE} --oit.fragmentBytes 8 --oit.tail mean --oit.fill on"
     " --oit.importance error",
-    f"kb-plus {SCARCE} --oit.count predicted --oit.tail mean",
+    "kb-variable --oit-memory 0.4 --oit.count predicted",
     f"kb-variable {SCARCE} --oit.count predicted --oit.fill on --oit.tail mean",
     f"kb-variable {SCARCE} --oit.cull occupancy",
     f"kb-variable {SCARCE} --oit.sync spinlock --oit.tail mean --oit.fill on",
