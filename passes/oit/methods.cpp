@@ -29,15 +29,15 @@ constexpr Allocation kOneK{.planSlots = planBudgetPool,
                            .adjusts = true,
                            .passes = {"oit.histogram", "oit.oneK"},
                            .define = "ALLOCATION_ONE_K"};
-constexpr Allocation kImportance{.planSlots = planBudgetPool,
-                                 .counts = true,
-                                 .budget = true,
-                                 .shared = true,
-                                 .importance = true,
-                                 .adjusts = true,
-                                 .define = "ALLOCATION_IMPORTANCE"};
+constexpr Allocation kImportanceShares{.planSlots = planBudgetPool,
+                                       .counts = true,
+                                       .budget = true,
+                                       .shared = true,
+                                       .importance = true,
+                                       .adjusts = true,
+                                       .define = "ALLOCATION_IMPORTANCE"};
 constexpr Allocation learnedImportance() {
-  Allocation a = kImportance;
+  Allocation a = kImportanceShares;
   a.learned = true;
   return a;
 }
@@ -146,7 +146,7 @@ constexpr std::array kMethods{
            .summary = "the min(n, k) nearest, one k from the histogram of counts under a budget",
            .source = "Vasilakis and Fudos 2014"},
     Method{.id = "kb-variable",
-           .allocation = kImportance,
+           .allocation = kImportanceShares,
            .insertion = kSorted,
            .summary = "k-buffer whose k(p) follows importance under a budget",
            .source = "Vasilakis 2017; Tsopouridis 2021, section 3.2.2"},

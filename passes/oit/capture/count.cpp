@@ -11,7 +11,7 @@ namespace {
 
 using frame::Access;
 
-constexpr GLfloat kNone[4]{};
+constexpr GLfloat kNoFragments[4]{};
 /// Nearest and minus farthest reversed depth, both less than any.
 constexpr GLfloat kNoDepth[4]{-2.0F, -2.0F, 0.0F, 0.0F};
 
@@ -26,7 +26,7 @@ class CountDraw {
   }
   void draw(const scene::GpuScene& gpu, gl::Blend blend) const {
     gl::apply({.depthTest = true, .blend = blend});
-    glClearBufferfv(GL_COLOR, 0, kNone);
+    glClearBufferfv(GL_COLOR, 0, kNoFragments);
     variants_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
   }
 
@@ -91,10 +91,10 @@ class CountColorsPass final : public OitPass {
   void run(frame::PassContext& context) override {
     const scene::GpuScene& gpu = *context.inputs().gpu;
     gl::apply({.depthTest = true, .blend = gl::Blend::AddThenMax});
-    glClearBufferfv(GL_COLOR, 0, kNone);
+    glClearBufferfv(GL_COLOR, 0, kNoFragments);
     glClearBufferfv(GL_COLOR, 1, kNoDepth);
-    glClearBufferfv(GL_COLOR, 2, kNone);
-    glClearBufferfv(GL_COLOR, 3, kNone);
+    glClearBufferfv(GL_COLOR, 2, kNoFragments);
+    glClearBufferfv(GL_COLOR, 3, kNoFragments);
     variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
   }
 
