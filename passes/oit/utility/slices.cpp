@@ -50,9 +50,7 @@ class SlicesPass final : public OitPass {
     if (plan_.usesNetwork()) defines.emplace_back("LEARNED", "1");
     variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", defines, {}, programs);
     if (tiled()) {
-      if (tiled()) {
-        tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
-      }
+      tileProgram_ = programs.get({{"oit/full_screen.vert", "oit/tile_depth.frag"}, {}, {}});
     }
   }
 
