@@ -1,7 +1,6 @@
 // A triangle that covers everything, for what only a fragment stage can write: depth, stencil.
 #pragma once
 
-#include "engine/gl/block_check.h"
 #include "engine/gl/objects.h"
 
 namespace macula::passes {
@@ -18,7 +17,6 @@ class FullScreenDraw {
     glDisable(GL_CULL_FACE);
     glBindVertexArray(noAttributes_.id());
     glUseProgram(program);
-    gl::BlockCheck::beforeUse();
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 

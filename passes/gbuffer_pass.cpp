@@ -4,18 +4,16 @@
 
 #include "engine/core/plural.h"
 #include "engine/gl/render_state.h"
+#include "passes/resources.h"
 
 namespace macula::passes {
 
-using frame::Resource;
-using frame::Use;
-
-void GBufferPass::declare(frame::PassDeclaration& d) const {
-  d.writes(Resource::Depth, Use::DepthTarget);
-  d.writes(Resource::Normal, Use::ColorTarget);
-  d.writes(Resource::BaseColor, Use::ColorTarget);
-  d.writes(Resource::Surface, Use::ColorTarget);
-  d.writes(Resource::Emissive, Use::ColorTarget);
+void GBufferPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.depth(kDepth, frame::Access::Write);
+  d.color(0, kNormal, frame::Access::Write);
+  d.color(1, kBaseColor, frame::Access::Write);
+  d.color(2, kSurface, frame::Access::Write);
+  d.color(3, kEmissive, frame::Access::Write);
 }
 
 bool GBufferPass::hasWork(const frame::FrameInputs& in) const {
@@ -32,11 +30,8 @@ void GBufferPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& progra
 
 void GBufferPass::execute(frame::PassContext& context) {
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets(
-      {Resource::Normal, Resource::BaseColor, Resource::Surface, Resource::Emissive},
-      Resource::Depth);
   gl::apply({.depthTest = true, .depthWrite = true, .encodeSrgb = true});
-  // Only depth is cleared: where it stays 0, nobody looks at the rest.
+  // Only depth is cleared: where it stays 0, no pass reads the rest.
   constexpr GLfloat kFar = 0.0F;
   glClearBufferfv(GL_DEPTH, 0, &kFar);
   variants_.draw(gpu, gpu.opaque(), gpu.opaque().runs);

@@ -12,7 +12,7 @@ namespace macula::passes {
 class GBufferPass final : public frame::Pass {
  public:
   [[nodiscard]] std::string_view name() const override { return "gbuffer"; }
-  void declare(frame::PassDeclaration& d) const override;
+  void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override;
   [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
   [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;

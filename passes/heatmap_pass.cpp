@@ -1,15 +1,15 @@
 #include "passes/heatmap_pass.h"
 
 #include <algorithm>
+#include <array>
 
+#include "passes/lod/resources.h"
+#include "passes/resources.h"
 #include "shared/bindings.h"
 #include "shared/dispatch.h"
 #include "shared/lod_totals.h"
 
 namespace macula::passes {
-
-using frame::Resource;
-using frame::Use;
 
 namespace {
 
@@ -19,19 +19,19 @@ constexpr std::string_view kRateMap = "shading-rate";
 
 struct Map {
   std::string_view name;
-  Resource source;
+  const frame::Resource* source;
   std::string_view channel;  ///< SOURCE_CHANNEL of the shader
   const char* quantity;      ///< for the legend
 };
 
 constexpr std::array kMaps{
-    Map{"k", Resource::FragmentRange, "g", "k(p): slots of each sample"},
-    Map{"depth-complexity", Resource::FragmentCount, "r", "transparent fragments of each sample"},
-    Map{"importance", Resource::ImportanceFactors, "a", "importance, Eq. 6"},
-    Map{"periphery", Resource::ImportanceFactors, "r", "periphery factor, Eq. 4"},
-    Map{"depth-factor", Resource::ImportanceFactors, "g", "depth complexity factor, Eq. 3"},
-    Map{"fresnel", Resource::ImportanceFactors, "b", "Fresnel factor, Eq. 5"},
-    Map{kRateMap, Resource::ShadingRate, "r",
+    Map{"k", &kFragmentRange, "g", "k(p): slots of each sample"},
+    Map{"depth-complexity", &kFragmentCount, "r", "transparent fragments of each sample"},
+    Map{"importance", &kImportanceFactors, "a", "importance, Eq. 6"},
+    Map{"periphery", &kImportanceFactors, "r", "periphery factor, Eq. 4"},
+    Map{"depth-factor", &kImportanceFactors, "g", "depth complexity factor, Eq. 3"},
+    Map{"fresnel", &kImportanceFactors, "b", "Fresnel factor, Eq. 5"},
+    Map{kRateMap, &kShadingRate, "r",
         "log2 of the texels a side that share a sample of the shading"},
 };
 
@@ -44,8 +44,8 @@ const Map* find(const std::string& name) {
 /// Whether the plans make what the map shows.
 bool isMade(const Map& map, const OitPlan& plan, const LodPlan& lod) {
   if (map.name == kRateMap) return lod.wanted && lod.foveated;
-  if (map.source == Resource::FragmentRange) return plan.method->hasRanges();
-  if (map.source == Resource::FragmentCount) return plan.method->counts();
+  if (*map.source == kFragmentRange) return plan.method->hasRanges();
+  if (*map.source == kFragmentCount) return plan.method->counts();
   return plan.mapsImportance();
 }
 
@@ -59,7 +59,7 @@ std::vector<std::string> heatmapNames() {
 
 bool needsFactors(const std::string& name) {
   const Map* map = find(name);
-  return map != nullptr && map->source == Resource::ImportanceFactors;
+  return map != nullptr && *map->source == kImportanceFactors;
 }
 
 double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) {
@@ -73,19 +73,16 @@ double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) 
 
 image::Legend legendOf(const HeatmapPass::Settings& settings, double range) {
   const Map& map = *find(settings.map);
-  const bool counts =
-      map.source == Resource::FragmentRange || map.source == Resource::FragmentCount;
+  const bool counts = *map.source == kFragmentRange || *map.source == kFragmentCount;
   image::Legend legend{map.quantity, range, counts};
   if (map.name == kRateMap) legend.grey.clear();
   return legend;
 }
 
-void HeatmapPass::declare(frame::PassDeclaration& d) const {
-  const Map* map = find(settings_.map);
-  if (map == nullptr || !isMade(*map, plan_, lod_)) return;
-  d.reads(map->source, Use::Texture);
-  d.reads(Resource::DisplayColor, Use::Image);
-  d.writes(Resource::HeatmapColor, Use::Image);
+void HeatmapPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.texture(TEX_INPUT0, *find(settings_.map)->source);
+  d.image(IMG_0, kDisplayColor, frame::Access::Read);
+  d.image(IMG_1, kHeatmapColor, frame::Access::Write);
 }
 
 bool HeatmapPass::hasWork(const frame::FrameInputs& in) const {
@@ -107,7 +104,7 @@ std::string HeatmapPass::reason(const frame::FrameInputs& in) const {
 void HeatmapPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& programs) {
   const Map& map = *find(settings_.map);
   gl::Defines defines{{"SOURCE_CHANNEL", std::string(map.channel)}};
-  if (map.source == Resource::FragmentRange) defines.emplace_back("SOURCE_INTEGER", "1");
+  if (*map.source == kFragmentRange) defines.emplace_back("SOURCE_INTEGER", "1");
   if (map.name == kRateMap) defines = {{"SOURCE_RATE", "1"}};
   program_ = programs.get({{"heatmap.comp"}, defines, {}});
 }
@@ -116,18 +113,14 @@ void HeatmapPass::execute(frame::PassContext& context) {
   glUseProgram(program_);
   glUniform1f(0, static_cast<float>(heatmapRange(settings_, plan_)));
   glUniform1i(1, samplesPerAxis_);
-  const Resource source = find(settings_.map)->source;
-  if (source == Resource::FragmentRange) glUniform1ui(2, plan_.tailSlots());
-  if (source != Resource::ShadingRate) {
+  const frame::Resource& source = *find(settings_.map)->source;
+  if (source == kFragmentRange) glUniform1ui(2, plan_.tailSlots());
+  if (source == kShadingRate) {
+    glUniform1f(3, static_cast<float>(static_cast<double>(samplesPerAxis_) / lod_.resize));
+  } else {
     const glm::vec2 texels = glm::vec2(plan_.size) / glm::vec2(plan_.imageSize);
     glUniform2f(4, texels.x, texels.y);
   }
-  if (source == Resource::ShadingRate) {
-    glUniform1f(3, static_cast<float>(static_cast<double>(samplesPerAxis_) / lod_.resize));
-  }
-  context.bindTexture(TEX_INPUT0, source);
-  context.bindImage(IMG_0, Resource::DisplayColor, GL_READ_ONLY);
-  context.bindImage(IMG_1, Resource::HeatmapColor, GL_WRITE_ONLY);
   context.dispatch(context.inputs().outputSize, kGroup);
 }
 

@@ -12,6 +12,10 @@
 
 namespace macula::passes {
 
+/// What is shown in place of the image: a quantity as colours over it.
+inline constexpr frame::Resource kHeatmapColor{"heat map", GL_RGBA8, frame::SizeRule::Output,
+                                               frame::ByteClass::Other, frame::Initial::Undefined};
+
 class HeatmapPass final : public frame::Pass {
  public:
   struct Settings {
@@ -23,7 +27,7 @@ class HeatmapPass final : public frame::Pass {
               const int& samplesPerAxis)
       : settings_(settings), plan_(plan), lod_(lod), samplesPerAxis_(samplesPerAxis) {}
   [[nodiscard]] std::string_view name() const override { return "heatmap"; }
-  void declare(frame::PassDeclaration& d) const override;
+  void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override;
   [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
   [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;

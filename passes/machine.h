@@ -1,11 +1,11 @@
-// What was found out about this machine once, before the first frame.
+// The device context: what was measured of this device once, before the first frame.
 #pragma once
 
 #include "engine/core/file.h"
 #include "engine/gl/capabilities.h"
 #include "engine/gl/program.h"
 #include "engine/gl/time_source.h"
-#include "passes/oit/sync.h"
+#include "passes/oit/ordering.h"
 
 namespace macula::passes {
 

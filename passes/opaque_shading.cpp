@@ -1,36 +1,28 @@
 #include "passes/opaque_shading.h"
 
+#include "passes/resources.h"
 #include "shared/bindings.h"
 
 namespace macula::passes {
 
-using frame::Resource;
-using frame::Use;
-
-void declareShadingInputs(frame::PassDeclaration& d) {
-  d.reads(Resource::ShadowMap, Use::Texture);
-  d.reads(Resource::Depth, Use::Texture);
-  d.reads(Resource::Normal, Use::Texture);
-  d.reads(Resource::BaseColor, Use::Texture);
-  d.reads(Resource::Surface, Use::Texture);
-  d.reads(Resource::Emissive, Use::Texture);
-}
-
-void bindShadingInputs(frame::PassContext& context) {
-  context.inputs().gpu->bindLights();
-  if (needsShadowMap(context.inputs().facts)) {
-    context.bindTexture(TEX_SHADOW_MAP, Resource::ShadowMap);
-  }
-  context.bindTexture(TEX_INPUT0, Resource::Depth);
-  context.bindTexture(TEX_INPUT1, Resource::Normal);
-  context.bindTexture(TEX_INPUT2, Resource::BaseColor);
-  context.bindTexture(TEX_INPUT3, Resource::Surface);
-  context.bindTexture(TEX_INPUT4, Resource::Emissive);
+void declareShadingInputs(frame::PassDeclaration& d, const scene::SceneFacts& facts,
+                          ShadingWork work, const LodParts& parts, bool samples) {
+  if (facts.opaqueTriangles == 0) return;  // the background needs no G-buffer
+  const bool lights = work != ShadingWork::Parts;
+  const bool shadow = lights ? work == ShadingWork::All || !parts.shadow : parts.shadow;
+  const bool normal = lights ? facts.litOpaque : parts.shadow || parts.occlusion;
+  if (facts.litOpaque && shadow && needsShadowMap(facts)) d.texture(TEX_SHADOW_MAP, kShadowMap);
+  d.texture(TEX_INPUT0, kDepth);
+  if (normal || samples) d.texture(TEX_INPUT1, kNormal);
+  if (lights) d.texture(TEX_INPUT2, kBaseColor);
+  d.texture(TEX_INPUT3, kSurface);
+  if (lights) d.texture(TEX_INPUT4, kEmissive);
 }
 
 gl::Defines shadingDefines(const scene::SceneFacts& facts, ShadingWork work,
                            const LodParts& parts) {
   gl::Defines defines = lightingDefines(facts);
+  if (facts.opaqueTriangles == 0) defines.emplace_back("NOTHING_OPAQUE", "1");
   if (facts.litOpaque) defines.emplace_back("LIT", "1");
   if (facts.veins) defines.emplace_back("VEINS", "1");
   if (facts.occlusion.any()) defines.emplace_back("OCCLUSION", "1");

@@ -27,18 +27,20 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
                 .help = "budget of the fragment storage, in place of --k-ave; 0: by that"},
                s.memoryMiB, {.min = 0.0, .max = 8192.0});
   registry.addRivals("oit.kAve", "oit.memoryMiB");
-  registry.addChoice({.key = "oit.sync", .help = "how fragments of one pixel take turns"}, s.sync,
+  registry.addChoice({.key = "oit.sync", .help = "per-pixel ordering of fragments"}, s.sync,
                      {"auto", "interlock", "spinlock", "ordered", "none"});
   registry.add(
       {.key = "oit.layers", .unit = "layers", .help = "slots a sample of ab-array, layers of peel"},
       s.layers, {.min = 1.0, .max = 1024.0});
-  registry.addChoice({.key = "oit.tail", .help = "what becomes of fragments that are not kept"},
-                     s.tail, {"none", "mean"});
+  registry.addChoice(
+      {.key = "oit.tail", .help = "what becomes of the tail: the fragments that get no slot"},
+      s.tail, {"none", "mean"});
   registry.add({.key = "oit.fill",
-                .help = "no sample gets more slots than it has fragments; the rest is handed on"},
+                .help = "no sample gets more slots than it has fragments; others get the rest"},
                s.fill);
-  registry.addChoice({.key = "oit.importance", .help = "what says how many layers a sample needs"},
-                     s.importance, {"published", "transmittance", "error", "learned"});
+  registry.addChoice(
+      {.key = "oit.importance", .help = "what the number of layers of a sample follows"},
+      s.importance, {"published", "transmittance", "error", "learned"});
   registry.addChoice({.key = "oit.cull", .help = "early rejection behind the k-th layer"}, s.cull,
                      {"none", "occupancy"});
   registry.add({.key = "oit.cullWords",
@@ -52,9 +54,8 @@ void registerOit(settings::Registry& registry, OitSettings& s) {
   registry.add({.key = "oit.network",
                 .help = "weights of kb-learned or of oit.importance learned; empty: Macula's own"},
                s.network);
-  registry.addChoice(
-      {.key = "oit.count", .help = "where the number of a sample's fragments is from"}, s.count,
-      {"drawn", "predicted"});
+  registry.addChoice({.key = "oit.count", .help = "source of the number of a sample's fragments"},
+                     s.count, {"drawn", "predicted"});
 }
 
 void registerImportance(settings::Registry& registry, ImportanceSettings& s) {

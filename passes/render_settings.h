@@ -31,9 +31,11 @@ struct RenderSettings {
   scene::LightingOverride lighting = scene::LightingOverride::Own;
   scene::TransparentOrder order = scene::TransparentOrder::File;
   std::uint32_t seed = 1;  ///< of noise and procedural scenes
+  bool readBack = false;   ///< buffers stay as the frame left them, for readers; costs memory
 };
 
-/// The same view by the exact method, without what belongs to others: what errors are against.
+/// The same view by the exact method, without options of other methods: errors are measured against
+/// it.
 [[nodiscard]] RenderSettings referenceOf(const RenderSettings& settings);
 
 /// Registers all of them; `settings` must outlive the registry.

@@ -3,14 +3,13 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "engine/gl/render_state.h"
+#include "passes/resources.h"
 
 namespace macula::passes {
 
-using frame::Resource;
-using frame::Use;
-
-void ShadowPass::declare(frame::PassDeclaration& d) const {
-  d.keeps(Resource::ShadowMap, Use::DepthTarget);
+void ShadowPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.depth(kShadowMap, frame::Access::WritePersistent);
+  d.size(kShadowMap, glm::ivec2(settings_.size));
 }
 
 bool ShadowPass::hasWork(const frame::FrameInputs& in) const {
@@ -37,8 +36,7 @@ void ShadowPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& program
 void ShadowPass::execute(frame::PassContext& context) {
   if (drawn_) return;
   const scene::GpuScene& gpu = *context.inputs().gpu;
-  context.bindTargets({}, Resource::ShadowMap);
-  const GLuint map = context.resources().texture(Resource::ShadowMap).id();
+  const GLuint map = context.resources().texture(kShadowMap).id();
   glTextureParameteri(map, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTextureParameteri(map, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   glTextureParameteri(map, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

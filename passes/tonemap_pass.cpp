@@ -2,13 +2,11 @@
 
 #include <cmath>
 
+#include "passes/resources.h"
 #include "shared/bindings.h"
 #include "shared/dispatch.h"
 
 namespace macula::passes {
-
-using frame::Resource;
-using frame::Use;
 
 namespace {
 
@@ -22,10 +20,10 @@ std::string curveNumber(const std::string& curve) {
 
 }  // namespace
 
-void TonemapPass::declare(frame::PassDeclaration& d) const {
-  d.reads(Resource::HdrColor, Use::Texture);
-  d.writes(Resource::DisplayColor, Use::Image);
-  if (settings_.linearOut) d.writes(Resource::LinearColor, Use::Image);
+void TonemapPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.texture(TEX_INPUT0, kHdrColor);
+  d.image(IMG_0, kDisplayColor, frame::Access::Write);
+  if (settings_.linearOut) d.image(IMG_1, kLinearColor, frame::Access::Write);
 }
 
 bool TonemapPass::hasWork(const frame::FrameInputs& /*in*/) const {
@@ -46,9 +44,6 @@ void TonemapPass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache& pr
 void TonemapPass::execute(frame::PassContext& context) {
   glUseProgram(program_);
   glUniform1f(0, static_cast<float>(std::exp2(settings_.exposure)));
-  context.bindTexture(TEX_INPUT0, Resource::HdrColor);
-  context.bindImage(IMG_0, Resource::DisplayColor, GL_WRITE_ONLY);
-  if (settings_.linearOut) context.bindImage(IMG_1, Resource::LinearColor, GL_WRITE_ONLY);
   context.dispatch(context.inputs().outputSize, kGroup);
 }
 

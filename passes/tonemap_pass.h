@@ -18,7 +18,7 @@ class TonemapPass final : public frame::Pass {
   };
   explicit TonemapPass(const Settings& settings) : settings_(settings) {}
   [[nodiscard]] std::string_view name() const override { return "tonemap"; }
-  void declare(frame::PassDeclaration& d) const override;
+  void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override;
   [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const override;
   [[nodiscard]] std::string reason(const frame::FrameInputs& in) const override;
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override;

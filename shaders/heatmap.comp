@@ -25,7 +25,7 @@ layout(location = 2) uniform uint tailSlots;  // of a pixel that has a tail
 #endif
 
 #ifdef SOURCE_RATE
-layout(location = 3) uniform float texelsOfPixel;  // of the resized image
+layout(location = 3) uniform float texelsOfPixel;  // of the reduced-rate image
 #else
 layout(location = 4) uniform vec2 texelsOfSample;  // at which transparency is drawn; 1 at full rate
 #endif

@@ -1,7 +1,8 @@
 // Light of the opaque surfaces, and the background where there are none.
 // LIT: at least one material of the scene is lit. SHADOWS, ENVIRONMENT: see lib/lighting.glsl.
-// VEINS, OCCLUSION: the scene has them.
-// Which pixel a thread shades: its own; AT_GRID: that of a texel of the resized image; AT_TILES: that
+// VEINS, OCCLUSION: the scene has them. NOTHING_OPAQUE: it has no opaque surface, and so there is no
+// G-buffer.
+// Which pixel a thread shades: its own; AT_GRID: that of a texel of the reduced-rate image; AT_TILES: that
 // of a sample of a tile in a list; AT_HOLES: one of a list.
 // SKIP_SHADOW, SKIP_OCCLUSION, SKIP_NOISE: parts of the shading that are not computed here.
 // DEMODULATE: samples hold the light on a surface, without its base colour and what it emits.
@@ -112,11 +113,11 @@ uint entries() {
 bool findPixel(uint entry, out ivec2 pixel, out ivec2 texel) {
   uint side = uint(LOD_TILE) >> uint(rateLevel);
   uint place = entry % (side * side);
-  uint tile = tiles[uint(rateLevel) * uint(frame.lodSize.z * frame.lodSize.w) + entry / (side * side)];
-  ivec2 corner = ivec2(tile % uint(frame.lodSize.z), tile / uint(frame.lodSize.z)) * LOD_TILE;
+  uint tile = tiles[uint(rateLevel) * uint(frame.lodTiles.x * frame.lodTiles.y) + entry / (side * side)];
+  ivec2 corner = ivec2(tile % uint(frame.lodTiles.x), tile / uint(frame.lodTiles.x)) * LOD_TILE;
   texel = corner + (ivec2(place % side, place / side) << rateLevel);
-  pixel = samplePixel(texel >> rateLevel, frame.resize.x * float(1 << rateLevel));
-  return texel.x < frame.lodSize.x && texel.y < frame.lodSize.y;
+  pixel = samplePixel(texel >> rateLevel, frame.pitch * float(1 << rateLevel));
+  return texel.x < frame.lodTexels.x && texel.y < frame.lodTexels.y;
 }
 #elif defined(AT_HOLES)
 uint entries() { return totals.dispatches[LOD_RATES].w; }
@@ -131,7 +132,10 @@ bool findPixel(uint entry, out ivec2 pixel, out ivec2 texel) {
 
 /// @param texel of L that it is for, where it is for one
 void shadePixel(ivec2 p, ivec2 texel) {
-  vec2 uv = (vec2(p) + 0.5) * frame.size.zw;
+  vec2 uv = (vec2(p) + 0.5) * frame.inverseSize;
+#ifdef NOTHING_OPAQUE
+  store(texel, p, backgroundAt(uv), 0.0, vec3(0.0));
+#else
   float depth = texelFetch(depthTexture, p, 0).r;
   if (depth == 0.0) {
 #ifdef PARTS_OUT
@@ -205,6 +209,7 @@ void shadePixel(ivec2 p, ivec2 texel) {
   store(texel, p, radiance, depth, s.normal);
 #endif
 #endif
+#endif
 }
 
 void main() {
@@ -215,8 +220,8 @@ void main() {
   if (entry < entries() && findPixel(entry, p, texel)) shadePixel(p, texel);
 #elif defined(AT_GRID)
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  if (texel.x >= frame.lodSize.x || texel.y >= frame.lodSize.y) return;
-  shadePixel(samplePixel(texel, frame.resize.x), texel);
+  if (texel.x >= frame.lodTexels.x || texel.y >= frame.lodTexels.y) return;
+  shadePixel(samplePixel(texel, frame.pitch), texel);
 #else
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (p.x < int(frame.size.x) && p.y < int(frame.size.y)) shadePixel(p, p);

@@ -1,9 +1,9 @@
 // The vertex stage of every pass that draws the scene. One invariant position serves them all, so
 // that a fragment has the same depth wherever it is drawn.
-// SHADOW: seen from the light. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
-// beside the position alone. LIT with VERTEX_LIGHT: the light that reaches the vertex on both of its
-// sides, in place of what light at a fragment needs; for predictions. VERTEX_LIGHT where no texture
-// (TEXTURED) and no test of alpha (HOLED) wants them apart: the colours of both sides as they are lit.
+// SHADOW: from the light's view. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
+// besides the position. LIT with VERTEX_LIGHT, for predictions: the light that reaches the vertex on both
+// of its sides, in place of the inputs of per-fragment lighting; where neither textures (TEXTURED) nor
+// alpha tests (HOLED) need it separately, the lit colours of both sides.
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 #if defined(LIT) && defined(VERTEX_LIGHT)

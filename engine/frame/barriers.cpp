@@ -3,68 +3,94 @@
 namespace macula::frame {
 namespace {
 
-GLbitfield bitFor(Use use) {
-  switch (use) {
-    case Use::Texture:
+constexpr GLbitfield kIncoherent =
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT;
+
+constexpr GLbitfield kAllUses = kIncoherent | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                                GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
+
+GLbitfield bitOf(const Binding& row) {
+  switch (row.point) {
+    case BindPoint::Texture:
       return GL_TEXTURE_FETCH_BARRIER_BIT;
-    case Use::Image:
+    case BindPoint::Image:
       return GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
-    case Use::ImageOrTarget:
-      return GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT;
-    case Use::Storage:
+    case BindPoint::Storage:
       return GL_SHADER_STORAGE_BARRIER_BIT;
-    case Use::Indirect:
-      return GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT;
-    case Use::ColorTarget:
-    case Use::DepthTarget:
+    case BindPoint::Indirect:
+      return GL_COMMAND_BARRIER_BIT;
+    case BindPoint::ColorTarget:
+    case BindPoint::DepthTarget:
       return GL_FRAMEBUFFER_BARRIER_BIT;
+    case BindPoint::Update:
+      return row.resource->isBuffer() ? GL_BUFFER_UPDATE_BARRIER_BIT
+                                      : GL_TEXTURE_UPDATE_BARRIER_BIT;
   }
   return 0;
 }
 
-constexpr GLbitfield kUpdates = GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
-
-constexpr GLbitfield kAllUses = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                                GL_SHADER_STORAGE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-                                GL_COMMAND_BARRIER_BIT | kUpdates;
-
-/// Before a pass that overwrites what is stored by shaders, and so may clear it first, updates are
-/// waited for, too.
-GLbitfield bitsFor(const Touch& touch) {
-  const bool mayClear = (touch.access == Access::Write || touch.access == Access::Scratch) &&
-                        touch.use != Use::ColorTarget && touch.use != Use::DepthTarget;
-  return bitFor(touch.use) | (mayClear ? kUpdates : 0);
-}
-
-bool writesIncoherently(const Touch& touch) {
-  const bool writes = touch.access == Access::Write || touch.access == Access::Modify ||
-                      touch.access == Access::Keep || touch.access == Access::Consume ||
-                      touch.access == Access::Scratch || touch.access == Access::Carry;
-  return writes &&
-         (touch.use == Use::Image || touch.use == Use::ImageOrTarget || touch.use == Use::Storage);
+bool isIncoherent(BindPoint point) {
+  return point == BindPoint::Image || point == BindPoint::Storage;
 }
 
 }  // namespace
 
-GLbitfield BarrierTracker::before(std::span<const Touch> touches) {
+void BarrierTracker::setMemory(std::span<const MemoryRange> slots) {
+  pending_.assign(slots.size(), {kAllUses, kAllUses});
+  overlaps_.assign(slots.size(), {});
+  for (std::uint32_t a = 0; a < slots.size(); ++a) {
+    for (std::uint32_t b = 0; b < slots.size(); ++b) {
+      if (a == b || slots[a].overlaps(slots[b])) overlaps_[a].push_back(b);
+    }
+  }
+}
+
+void BarrierTracker::beginFrame() {
+  for (Pending& pending : pending_) pending.forWrites = kAllUses;
+}
+
+GLbitfield BarrierTracker::neededBy(const Binding& row, std::uint32_t slot) const {
+  const Pending& pending = pending_[slot];
+  return bitOf(row) & ((reads(row.access) ? pending.forReads : 0U) |
+                       (writes(row.access) ? pending.forWrites : 0U));
+}
+
+/// A barrier covers all memory, so the issued bits are settled for every slot.
+void BarrierTracker::settle(GLbitfield bits) {
+  if (bits == 0) return;
+  for (Pending& pending : pending_) {
+    pending.forReads &= ~bits;
+    pending.forWrites &= ~bits;
+  }
+}
+
+void BarrierTracker::note(const Binding& row, std::uint32_t slot) {
+  const bool incoherent = isIncoherent(row.point);
+  for (const std::uint32_t s : overlaps_[slot]) {
+    if (incoherent && writes(row.access)) pending_[s].forReads = kAllUses;
+    pending_[s].forWrites |= incoherent ? kAllUses : kIncoherent;
+  }
+}
+
+GLbitfield BarrierTracker::before(std::span<const Binding> rows,
+                                  std::span<const std::uint32_t> slots, std::uint32_t step) {
   GLbitfield bits = 0;
-  for (const Touch& touch : touches) {
-    bits |= pending_[static_cast<std::size_t>(touch.resource)] & bitsFor(touch);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].active && rows[i].step == step) bits |= neededBy(rows[i], slots[i]);
   }
   settle(bits);
-  for (const Touch& touch : touches) {
-    if (writesIncoherently(touch)) pending_[static_cast<std::size_t>(touch.resource)] = kAllUses;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].active && rows[i].step == step) note(rows[i], slots[i]);
   }
   return bits;
 }
 
-GLbitfield BarrierTracker::beforeClear(Resource resource) {
-  return settle(pending_[static_cast<std::size_t>(resource)] & kUpdates);
-}
-
-/// A barrier covers all memory, so the issued bits are settled for every resource.
-GLbitfield BarrierTracker::settle(GLbitfield bits) {
-  for (GLbitfield& pending : pending_) pending &= ~bits;
+GLbitfield BarrierTracker::beforeClear(const Resource& resource, std::uint32_t slot) {
+  const Binding row{&resource, Access::Write, BindPoint::Update};
+  const GLbitfield bits = neededBy(row, slot);
+  settle(bits);
+  note(row, slot);
   return bits;
 }
 

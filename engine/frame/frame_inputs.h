@@ -14,10 +14,10 @@ class GpuScene;
 
 namespace macula::frame {
 
-/// What a controller may set from frame to frame; nothing is allocated for it. History stays, but
-/// that of resized transparency is of one r.
+/// Quality controls: what a controller may set from frame to frame. Nothing is allocated for them.
+/// History stays valid, but that of reduced-rate transparency is of one r.
 struct Levers {
-  float resize = 0.0F;      ///< r of what is resized, 1 to 8; 0: as lod.r says
+  float resize = 0.0F;      ///< resize factor r, 1 to 8; 0: lod.r
   float foveaSlope = 1.0F;  ///< factor on foveation.slope, >= 1
   float layerShare = 1.0F;  ///< of the layers that the k-buffer's budget would give, 0 < x <= 1
 

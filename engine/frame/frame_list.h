@@ -1,7 +1,8 @@
 // The frame: an ordered list of passes, validated, allocated once, run with barriers and times.
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/frame/barriers.h"
+#include "engine/frame/binding_check.h"
 #include "engine/frame/frame_inputs.h"
 #include "engine/frame/frame_resources.h"
 #include "engine/frame/pass.h"
@@ -31,43 +33,69 @@ struct PassReport {
   std::string reason;
 };
 
+/// What FrameList::prepare() keeps to.
+struct AllocationRules {
+  std::int64_t maxStorageBlockBytes = 0;  ///< a larger buffer is refused with an InputError
+  bool shareMemory =
+      true;  ///< else every resource can be read after the frame, at a price in bytes
+};
+
 class FrameList {
  public:
-  /// @param results resources that leave the frame
-  FrameList(std::vector<std::unique_ptr<Pass>> passes, std::vector<Resource> results);
+  /// @param results resources that leave the frame · @param readAfterwards others whose contents
+  /// stay until the next frame, although no pass of it reads them · @param reportPasses passes that
+  /// measure a finished frame, see runReport()
+  FrameList(std::vector<std::unique_ptr<Pass>> passes, std::vector<const Resource*> results,
+            std::vector<const Resource*> readAfterwards = {},
+            std::vector<std::unique_ptr<Pass>> reportPasses = {});
 
-  /// @returns problems, one line each; see validate(). No GL.
-  [[nodiscard]] std::vector<std::string> validate() const;
-  /// Which passes run for these inputs, and why. No GL.
+  /// @returns problems of what runs for these inputs, one line each; see validate(). No GL.
+  [[nodiscard]] std::vector<std::string> validate(const FrameInputs& inputs) const;
+  /// Which timed passes run for these inputs, and why. No GL.
   [[nodiscard]] std::vector<PassReport> report(const FrameInputs& inputs) const;
-  /// What the passes that have work touch. No GL.
-  [[nodiscard]] std::vector<Resource> neededResources(const FrameInputs& inputs) const;
+  /// What the passes that have work access. No GL.
+  [[nodiscard]] std::vector<const Resource*> neededResources(const FrameInputs& inputs) const;
 
-  /// Looks again at declarations and work: after a change of scene, settings or size. The only
-  /// place where the frame allocates.
+  /// Looks again at tables and work: after a change of scene, settings or size. The only place
+  /// where the frame allocates. In debug contexts, reports what differs between tables and shaders.
   void prepare(const FrameInputs& inputs, FrameResources& resources, gl::ProgramCache& programs,
-               std::int64_t maxStorageBlockBytes);
-  /// Runs the passes that have work. Allocates nothing after the first frame.
+               const AllocationRules& rules);
+  /// Runs the timed passes that have work. Allocates nothing after the first frame.
   void run(PassContext& context, gl::FrameTimer& timer);
+  /// Runs those of the report's passes that have work. After run(); their time is not the frame's.
+  void runReport(PassContext& context);
   /// Times of the passes that ran last, in order. Valid after run().
   [[nodiscard]] std::span<const PassTime> times() const { return times_; }
+  /// For readers of a finished frame, who report their accesses there.
+  [[nodiscard]] BarrierTracker& barriers() { return barriers_; }
+  /// What the last prepare() compared; nothing outside of debug contexts.
+  [[nodiscard]] const BindingCount& compared() const { return compared_; }
 
  private:
   struct Entry {
     std::unique_ptr<Pass> pass;
-    std::vector<Touch> touches;
+    PassDeclaration table;
+    std::vector<std::uint32_t> slots;  ///< of the table's rows
+    std::vector<GLuint> programs;      ///< that prepare() asked for
     bool runs = false;
   };
-  void clearUnwritten(const Entry& entry, FrameResources& resources);
+  [[nodiscard]] std::vector<Demand> demands(const FrameInputs& inputs, bool shareMemory) const;
+  void checkBindings();
+  [[nodiscard]] std::span<Entry> framePasses() { return std::span(entries_).first(framePasses_); }
+  void runPass(Entry& entry, PassContext& context);
+  void refresh(Entry& entry, const PassContext& context);
+  void clearUnwritten(const Entry& entry, const FrameResources& resources);
 
-  std::vector<Entry> entries_;
-  std::vector<Resource> results_;
+  std::vector<Entry> entries_;   ///< of the frame, then of the report
+  std::size_t framePasses_ = 0;  ///< entries of the frame
+  std::vector<const Resource*> results_;
+  std::vector<const Resource*> readAfterwards_;
   std::vector<PassTime> times_;
   BarrierTracker barriers_;
-  /// Per resource: written by a pass since its last clear.
-  std::array<bool, kResourceCount> dirty_{};
-  /// Per resource: written by a pass of the frame that runs now.
-  std::array<bool, kResourceCount> written_{};
+  BindingCount compared_;
+  std::vector<MemoryRange> memory_;  ///< by slot
+  std::vector<bool> dirty_;          ///< by slot: its memory was written since its last clear
+  std::vector<bool> written_;        ///< by slot: a pass of the present frame has written it
 };
 
 }  // namespace macula::frame

@@ -3,180 +3,272 @@
 #include <algorithm>
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "engine/core/error.h"
 
 namespace macula::frame {
 namespace {
 
-std::size_t indexOf(Resource r) {
-  return static_cast<std::size_t>(r);
-}
-
 bool isInteger(GLenum format) {
   return format == GL_R32UI || format == GL_RG32UI || format == GL_RGBA32UI;
 }
 
+void checkBytes(const Demand& demand, std::int64_t maxStorageBlockBytes) {
+  if (static_cast<std::int64_t>(demand.bytes) <= maxStorageBlockBytes) return;
+  failInput(
+      "{} needs {} bytes, and this GPU takes {} in one buffer; lower --k-ave or "
+      "--oit-memory, or --size",
+      demand.resource->name, demand.bytes, maxStorageBlockBytes);
+}
+
+std::size_t storageAlignment() {
+  GLint bytes = 1;
+  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &bytes);
+  return static_cast<std::size_t>(std::max(bytes, 4));  // clears go by words
+}
+
+void clearBytes(GLuint buffer, std::size_t offset, std::size_t bytes, std::uint32_t word) {
+  glClearNamedBufferSubData(buffer, GL_R32UI, static_cast<GLintptr>(offset),
+                            static_cast<GLsizeiptr>(bytes), GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+}
+
 }  // namespace
 
-void FrameResources::setFixedSize(Resource texture, glm::ivec2 size) {
-  fixedSizes_[indexOf(texture)] = size;
+void BufferRange::download(void* values, std::size_t bytes) const {
+  assert(bytes <= bytes_);
+  buffer_->download(values, bytes, offset_);
 }
 
-void FrameResources::setBufferBytes(Resource buffer, std::size_t bytes) {
-  bufferBytes_[indexOf(buffer)] = bytes;
-}
-
-glm::ivec2 FrameResources::sizeOf(const ResourceInfo& info, glm::ivec2 output,
-                                  glm::ivec2 display) const {
-  switch (info.size) {
-    case SizeRule::Output:
-      return output;
-    case SizeRule::Display:
-    case SizeRule::DisplayOverR:
-    case SizeRule::DisplaySamples:
-      return display;
-    case SizeRule::Fixed:
-      return fixedSizes_[indexOf(info.id)];
-    case SizeRule::Bytes:
-      break;
+bool FrameResources::makeTexture(Slot& slot, const Demand& demand) {
+  gl::Texture& texture = slot.texture;
+  if (texture.width() == demand.size.x && texture.height() == demand.size.y &&
+      texture.samples() == demand.samples) {
+    return false;
   }
-  return {0, 0};
+  const Resource& r = *demand.resource;
+  texture = {};
+  texture = demand.samples > 0
+                ? gl::Texture::multisample(r.name, r.format, demand.size, demand.samples)
+                : gl::Texture(r.name, r.format, demand.size.x, demand.size.y);
+  return true;
 }
 
-void FrameResources::allocate(std::span<const Resource> needed, glm::ivec2 outputSize,
-                              glm::ivec2 displaySize, std::int64_t maxStorageBlockBytes) {
-  bool changed = false;
-  for (std::size_t i = 0; i < kResourceCount; ++i) {
-    const auto resource = static_cast<Resource>(i);
-    const ResourceInfo& info = infoOf(resource);
-    gl::Texture& texture = textures_[i];
-    gl::Buffer& buffer = buffers_[i];
-    if (std::find(needed.begin(), needed.end(), resource) == needed.end()) {
-      changed = changed || texture || buffer;
-      texture = {};
-      buffer = {};
-      continue;
+void FrameResources::makeBuffer(Slot& slot, const Demand& demand) {
+  slot.bytes = demand.bytes;
+  slot.transient = demand.transient;
+  slot.life = demand.life;
+  if (demand.transient) {
+    slot.buffer = {};
+  } else if (slot.buffer.bytes() != demand.bytes) {
+    slot.buffer = {};
+    slot.buffer = gl::Buffer(demand.resource->name, demand.bytes);
+    clearBytes(slot.buffer.id(), 0, demand.bytes, 0);
+  }
+}
+
+void FrameResources::placeTransients(std::span<const Demand> demands,
+                                     std::int64_t maxStorageBlockBytes) {
+  std::vector<TransientBuffer> buffers;
+  std::vector<std::size_t> slots;
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    if (!demands[i].transient) continue;
+    buffers.push_back({demands[i].bytes, demands[i].life});
+    slots.push_back(i);
+  }
+  TransientPlan plan = frame::placeTransients(buffers, storageAlignment(),
+                                              static_cast<std::size_t>(maxStorageBlockBytes));
+  for (std::size_t i = 0; i < slots.size(); ++i) slots_[slots[i]].place = plan.places[i];
+  if (plan.blockBytes == transients_.blockBytes) {
+    transients_ = std::move(plan);
+    return;
+  }
+  transients_ = {};
+  blocks_.clear();
+  for (const std::size_t bytes : plan.blockBytes) {
+    blocks_.emplace_back("transient buffers", bytes);
+    clearBytes(blocks_.back().id(), 0, bytes, 0);
+  }
+  transients_ = std::move(plan);
+}
+
+void FrameResources::allocate(std::span<const Demand> demands, std::int64_t maxStorageBlockBytes) {
+  for (const Demand& demand : demands) {
+    if (demand.resource->isBuffer()) checkBytes(demand, maxStorageBlockBytes);
+  }
+  framebuffers_.clear();
+  // What stays keeps its memory; everything else is released before anything is made.
+  std::vector<Slot> slots(demands.size());
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const std::uint32_t old = slotOf(*demands[i].resource);
+    if (old != kNoSlot) slots[i] = std::move(slots_[old]);
+    slots[i].resource = demands[i].resource;
+  }
+  slots_ = std::move(slots);
+  slotByResource_.clear();
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) slotByResource_[slots_[i].resource] = i;
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    if (slot.resource->isBuffer()) {
+      makeBuffer(slot, demands[i]);
+    } else if (makeTexture(slot, demands[i]) && slot.resource->initial != Initial::Undefined) {
+      clear(i);
     }
-    if (info.size == SizeRule::Bytes) {
-      const std::size_t bytes = bufferBytes_[i];
-      if (static_cast<std::int64_t>(bytes) > maxStorageBlockBytes) {
-        failInput(
-            "{} needs {} bytes, and this GPU takes {} in one buffer; lower --k-ave or "
-            "--oit-memory, or --size",
-            info.name, bytes, maxStorageBlockBytes);
+  }
+  placeTransients(demands, maxStorageBlockBytes);
+  countBytes();
+}
+
+std::uint32_t FrameResources::slotOf(const Resource& r) const {
+  const auto found = slotByResource_.find(&r);
+  return found == slotByResource_.end() ? kNoSlot : found->second;
+}
+
+const gl::Texture& FrameResources::textureAt(std::uint32_t slot) const {
+  if (slot >= slots_.size()) throw std::logic_error("a resource that no pass declares is used");
+  return slots_[slot].texture;
+}
+
+BufferRange FrameResources::bufferAt(std::uint32_t slot) const {
+  if (slot >= slots_.size()) throw std::logic_error("a resource that no pass declares is used");
+  const Slot& s = slots_[slot];
+  if (s.transient) return {blocks_[s.place.block], s.place.offset, s.bytes};
+  return {s.buffer, 0, s.bytes};
+}
+
+std::vector<MemoryRange> FrameResources::memory() const {
+  std::vector<MemoryRange> ranges;
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    const Slot& s = slots_[i];
+    // Blocks of transient buffers are numbered after the slots.
+    ranges.push_back(
+        s.transient ? MemoryRange{slots() + s.place.block, s.place.offset, s.place.offset + s.bytes}
+                    : MemoryRange{i, 0, 1});
+  }
+  return ranges;
+}
+
+std::vector<const Resource*> FrameResources::list() const {
+  std::vector<const Resource*> all;
+  for (const Slot& slot : slots_) all.push_back(slot.resource);
+  return all;
+}
+
+std::uint64_t FrameResources::bytesOf(const Resource& r) const {
+  const std::uint32_t slot = slotOf(r);
+  if (slot == kNoSlot) return 0;
+  return r.isBuffer() ? slots_[slot].bytes : slots_[slot].texture.bytes();
+}
+
+void FrameResources::countBytes() {
+  std::uint32_t passes = 1;
+  for (const Slot& slot : slots_) passes = std::max(passes, slot.life.last + 1);
+  const auto largest = [&](std::initializer_list<ByteClass> kinds) {
+    std::uint64_t most = 0;
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+      std::uint64_t sum = 0;
+      for (const Slot& slot : slots_) {
+        const bool alive = !slot.transient || slot.life.meets({pass, pass});
+        const bool counts =
+            std::find(kinds.begin(), kinds.end(), slot.resource->bytes) != kinds.end();
+        if (counts && alive) sum += bytesOf(*slot.resource);
       }
-      if (buffer.bytes() == bytes) continue;
-      buffer = {};
-      buffer = gl::Buffer(info.name, bytes);
-      clear(resource);
-    } else {
-      const glm::ivec2 size = sizeOf(info, outputSize, displaySize);
-      const int samples = info.size == SizeRule::DisplaySamples ? multisamples_ : 0;
-      if (texture.width() == size.x && texture.height() == size.y && texture.samples() == samples) {
-        continue;
-      }
-      texture = {};
-      texture = samples > 0 ? gl::Texture::multisample(info.name, info.format, size, samples)
-                            : gl::Texture(info.name, info.format, size.x, size.y);
-      if (info.clear != ClearKind::Never) clear(resource);
+      most = std::max(most, sum);
     }
-    changed = true;
-  }
-  if (changed) framebuffers_.clear();
+    return most;
+  };
+  const std::uint64_t oit = largest({ByteClass::Oit});
+  bytes_ = {.oit = oit,
+            .overhead = largest({ByteClass::Oit, ByteClass::Overhead}) - oit,
+            .gbuffer = largest({ByteClass::GBuffer}),
+            .other = largest({ByteClass::Other})};
+  for (const Slot& slot : slots_) bytes_.total += slot.texture.bytes() + slot.buffer.bytes();
+  for (const gl::Buffer& block : blocks_) bytes_.total += block.bytes();
 }
 
-bool FrameResources::has(Resource r) const {
-  return static_cast<bool>(textures_[indexOf(r)]) || static_cast<bool>(buffers_[indexOf(r)]);
-}
-
-const gl::Texture& FrameResources::texture(Resource r) const {
-  assert(textures_[indexOf(r)] && "declared resources are allocated");
-  return textures_[indexOf(r)];
-}
-
-const gl::Buffer& FrameResources::buffer(Resource r) const {
-  assert(buffers_[indexOf(r)] && "declared resources are allocated");
-  return buffers_[indexOf(r)];
-}
-
-void FrameResources::upload(Resource r, const void* values, std::size_t bytes) {
-  assert(bytes <= buffer(r).bytes());
-  buffers_[indexOf(r)].upload(values, bytes);
-}
-
-std::uint64_t FrameResources::bytesOf(Resource r) const {
-  const std::size_t i = indexOf(r);
-  return textures_[i] ? textures_[i].bytes() : buffers_[i].bytes();
-}
-
-ResourceBytes FrameResources::bytes() const {
-  ResourceBytes sum;
-  for (std::size_t i = 0; i < kResourceCount; ++i) {
-    const auto resource = static_cast<Resource>(i);
-    const std::uint64_t bytes = bytesOf(resource);
-    switch (infoOf(resource).bytes) {
-      case ByteClass::Oit:
-        sum.oit += bytes;
-        break;
-      case ByteClass::Overhead:
-        sum.overhead += bytes;
-        break;
-      case ByteClass::GBuffer:
-        sum.gbuffer += bytes;
-        break;
-      case ByteClass::Other:
-        sum.other += bytes;
-        break;
-    }
-  }
-  return sum;
-}
-
-GLuint FrameResources::framebuffer(std::initializer_list<Resource> colors, Resource depth) {
-  for (const Cached& cached : framebuffers_) {
-    if (cached.depth == depth &&
-        std::equal(cached.colors.begin(), cached.colors.end(), colors.begin(), colors.end())) {
-      return cached.id.id();
-    }
+GLuint FrameResources::framebuffer(const std::array<std::uint32_t, kMostTargets>& colors,
+                                   std::uint32_t depth) {
+  for (const Framebuffer& made : framebuffers_) {
+    if (made.depth == depth && made.colors == colors) return made.id.id();
   }
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
   gl::FramebufferId owner(id);
-  std::vector<GLenum> buffers;
-  for (const Resource color : colors) {
-    const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
-    glNamedFramebufferTexture(id, attachment, texture(color).id(), 0);
-    buffers.push_back(attachment);
+  std::array<GLenum, kMostTargets> outputs{};
+  GLsizei used = 0;
+  for (std::size_t i = 0; i < kMostTargets; ++i) {
+    outputs[i] = GL_NONE;
+    if (colors[i] == kNoSlot) continue;
+    outputs[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    glNamedFramebufferTexture(id, outputs[i], textureAt(colors[i]).id(), 0);
+    used = static_cast<GLsizei>(i) + 1;
   }
-  glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(buffers.size()), buffers.data());
-  if (depth != Resource::Count) {
-    const bool stencil = texture(depth).format() == GL_DEPTH32F_STENCIL8;
+  glNamedFramebufferDrawBuffers(id, used, outputs.data());
+  if (depth != kNoSlot) {
+    const gl::Texture& texture = textureAt(depth);
+    const bool stencil = texture.format() == GL_DEPTH32F_STENCIL8;
     glNamedFramebufferTexture(id, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-                              texture(depth).id(), 0);
+                              texture.id(), 0);
   }
-  assert(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+  if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::logic_error("the render targets of a pass do not go together");
+  }
   framebuffers_.push_back({colors, depth, std::move(owner)});
   return id;
 }
 
-void FrameResources::clear(Resource r) const {
-  const ResourceInfo& info = infoOf(r);
-  if (info.size == SizeRule::Bytes) {
-    glClearNamedBufferData(buffer(r).id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  } else if (info.clear == ClearKind::Background) {
-    const glm::vec4 value(background_, 1.0F);
-    glClearTexImage(texture(r).id(), 0, GL_RGBA, GL_FLOAT, glm::value_ptr(value));
-  } else if (info.format == GL_DEPTH_COMPONENT32F) {
-    glClearTexImage(texture(r).id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-  } else if (isInteger(info.format)) {
-    const GLenum channels = info.format == GL_RGBA32UI ? GL_RGBA_INTEGER
-                            : info.format == GL_RG32UI ? GL_RG_INTEGER
-                                                       : GL_RED_INTEGER;
-    glClearTexImage(texture(r).id(), 0, channels, GL_UNSIGNED_INT, nullptr);
+void FrameResources::upload(const Resource& r, const void* values, std::size_t bytes) {
+  Slot& slot = slots_.at(slotOf(r));
+  assert(bytes <= slot.bytes);
+  if (slot.transient) {
+    blocks_[slot.place.block].upload(values, bytes, slot.place.offset);
   } else {
-    glClearTexImage(texture(r).id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    slot.buffer.upload(values, bytes);
   }
+}
+
+void FrameResources::fill(std::uint32_t slot, std::uint32_t word) const {
+  if (resourceAt(slot).isBuffer()) {
+    const BufferRange range = bufferAt(slot);
+    clearBytes(range.id(), range.offset(), range.bytes(), word);
+  } else {
+    glClearTexImage(textureAt(slot).id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+  }
+}
+
+void FrameResources::clear(std::uint32_t slot) const {
+  const Resource& r = resourceAt(slot);
+  if (r.isBuffer()) {
+    fill(slot, 0);
+    return;
+  }
+  const GLuint id = textureAt(slot).id();
+  if (r.initial == Initial::Background) {
+    const glm::vec4 value(background_, 1.0F);
+    glClearTexImage(id, 0, GL_RGBA, GL_FLOAT, glm::value_ptr(value));
+  } else if (r.format == GL_DEPTH_COMPONENT32F) {
+    glClearTexImage(id, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  } else if (isInteger(r.format)) {
+    const GLenum channels = r.format == GL_RGBA32UI ? GL_RGBA_INTEGER
+                            : r.format == GL_RG32UI ? GL_RG_INTEGER
+                                                    : GL_RED_INTEGER;
+    glClearTexImage(id, 0, channels, GL_UNSIGNED_INT, nullptr);
+  } else {
+    glClearTexImage(id, 0, GL_RGBA, GL_FLOAT, nullptr);
+  }
+}
+
+void FrameResources::read(const Resource& r, GLenum format, GLenum type, std::size_t bytes,
+                          void* texels) const {
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(textureFor(r, GL_TEXTURE_UPDATE_BARRIER_BIT).id(), 0, format, type,
+                    static_cast<GLsizei>(bytes), texels);
+}
+
+const gl::Texture& FrameResources::textureFor(const Resource& r, GLbitfield use) const {
+  glMemoryBarrier(use);
+  return texture(r);
 }
 
 }  // namespace macula::frame

@@ -1,72 +1,118 @@
 #include "engine/frame/pass_context.h"
 
-#include <algorithm>
+#include <stdexcept>
 #include <string>
 
-#include "engine/gl/block_check.h"
+#include "engine/frame/barriers.h"
 #include "shared/bindings.h"
 
 namespace macula::frame {
+namespace {
 
-void PassContext::expectDeclared(Resource r, std::initializer_list<Use> uses) const {
-  if (!gl::BlockCheck::enabled() || declared_.empty()) return;
-  const auto matches = [&](const Touch& touch) {
-    // A pass orders the uses of its scratch itself.
-    return touch.resource == r && (touch.access == Access::Scratch ||
-                                   std::find(uses.begin(), uses.end(), touch.use) != uses.end());
-  };
-  if (std::any_of(declared_.begin(), declared_.end(), matches)) return;
-  gl::BlockCheck::report("a pass binds " + std::string(nameOf(r)) +
-                         " and does not declare that use of it");
+GLenum imageAccess(Access access) {
+  if (!writes(access)) return GL_READ_ONLY;
+  return reads(access) ? GL_READ_WRITE : GL_WRITE_ONLY;
 }
 
-void PassContext::bindTexture(GLuint unit, Resource r) const {
-  if (resources_.has(r)) expectDeclared(r, {Use::Texture});
-  glBindTextureUnit(unit, resources_.has(r) ? resources_.texture(r).id() : 0);
+bool isTarget(const Binding& row) {
+  return row.point == BindPoint::ColorTarget || row.point == BindPoint::DepthTarget;
 }
 
-void PassContext::bindImage(GLuint unit, Resource r, GLenum access) const {
-  expectDeclared(r, {Use::Image, Use::ImageOrTarget});
-  const gl::Texture& texture = resources_.texture(r);
-  glBindImageTexture(unit, texture.id(), 0, GL_FALSE, 0, access, texture.format());
+}  // namespace
+
+std::vector<std::uint32_t> slotsOf(const PassDeclaration& declaration,
+                                   const FrameResources& resources) {
+  std::vector<std::uint32_t> slots;
+  for (const Binding& row : declaration.bindings())
+    slots.push_back(resources.slotOf(*row.resource));
+  return slots;
 }
 
-void PassContext::bindStorage(GLuint binding, Resource r) const {
-  expectDeclared(r, {Use::Storage, Use::Indirect});
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, resources_.buffer(r).id());
+void PassContext::beginStep(std::uint32_t step) {
+  const std::vector<Binding>& rows = declaration_->bindings();
+  const GLbitfield bits = barriers_.before(rows, slots_, step);
+  if (bits != 0) glMemoryBarrier(bits);
+  bool draws = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].active || rows[i].step != step) continue;
+    bind(rows[i], slots_[i]);
+    draws = draws || isTarget(rows[i]);
+  }
+  if (draws) bindTargets(step);
+}
+
+void PassContext::bind(const Binding& row, std::uint32_t slot) const {
+  switch (row.point) {
+    case BindPoint::Texture:
+      glBindTextureUnit(row.unit, resources_.textureAt(slot).id());
+      break;
+    case BindPoint::Image: {
+      const gl::Texture& texture = resources_.textureAt(slot);
+      glBindImageTexture(row.unit, texture.id(), 0, GL_FALSE, 0, imageAccess(row.access),
+                         texture.format());
+      break;
+    }
+    case BindPoint::Storage: {
+      const BufferRange range = resources_.bufferAt(slot);
+      glBindBufferRange(GL_SHADER_STORAGE_BUFFER, row.unit, range.id(),
+                        static_cast<GLintptr>(range.offset()),
+                        static_cast<GLsizeiptr>(range.bytes()));
+      break;
+    }
+    case BindPoint::Indirect:     // bound by dispatchIndirect()
+    case BindPoint::ColorTarget:  // bound together, by bindTargets()
+    case BindPoint::DepthTarget:
+    case BindPoint::Update:
+      break;
+  }
+}
+
+void PassContext::bindTargets(std::uint32_t step) {
+  std::array<std::uint32_t, FrameResources::kMostTargets> colors{};
+  colors.fill(FrameResources::kNoSlot);
+  std::uint32_t depth = FrameResources::kNoSlot;
+  std::uint32_t sized = FrameResources::kNoSlot;
+  const std::vector<Binding>& rows = declaration_->bindings();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].active || rows[i].step != step || !isTarget(rows[i])) continue;
+    (rows[i].point == BindPoint::DepthTarget ? depth : colors.at(rows[i].unit)) = slots_[i];
+    sized = slots_[i];
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, resources_.framebuffer(colors, depth));
+  glm::ivec2 size = declaration_->viewportOf(step);
+  if (size == glm::ivec2(0)) {
+    const gl::Texture& target = resources_.textureAt(sized);
+    size = {target.width(), target.height()};
+  }
+  glViewport(0, 0, size.x, size.y);
 }
 
 void PassContext::bindConstants(Raster raster) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, constants_[static_cast<std::size_t>(raster)]);
 }
 
-void PassContext::bindTargets(std::initializer_list<Resource> colors, Resource depth) const {
-  const gl::Texture& sized = resources_.texture(colors.size() > 0 ? *colors.begin() : depth);
-  bindTargets(colors, depth, {sized.width(), sized.height()});
-}
-
-void PassContext::bindTargets(std::initializer_list<Resource> colors, Resource depth,
-                              glm::ivec2 viewport) const {
-  for (const Resource color : colors) {
-    expectDeclared(color, {Use::ColorTarget, Use::ImageOrTarget});
-  }
-  // No shader stores depth, so nothing needs to be waited for between these two uses of it.
-  if (depth != Resource::Count) expectDeclared(depth, {Use::DepthTarget, Use::Texture});
-  glBindFramebuffer(GL_FRAMEBUFFER, resources_.framebuffer(colors, depth));
-  glViewport(0, 0, viewport.x, viewport.y);
-}
-
 void PassContext::dispatch(glm::ivec2 threads, glm::ivec2 group) const {
   const glm::ivec2 groups = (threads + group - 1) / group;
-  gl::BlockCheck::beforeUse();
   glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
 }
 
-void PassContext::dispatchIndirect(Resource buffer, GLintptr offset) const {
-  expectDeclared(buffer, {Use::Indirect});
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resources_.buffer(buffer).id());
-  gl::BlockCheck::beforeUse();
-  glDispatchComputeIndirect(offset);
+void PassContext::dispatchIndirect(const Resource& buffer, GLintptr offset) const {
+  const BufferRange range = resources_.bufferAt(slotOf(buffer, BindPoint::Indirect));
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, range.id());
+  glDispatchComputeIndirect(static_cast<GLintptr>(range.offset()) + offset);
+}
+
+void PassContext::fill(const Resource& r, std::uint32_t word) const {
+  resources_.fill(slotOf(r, BindPoint::Update), word);
+}
+
+std::uint32_t PassContext::slotOf(const Resource& r, BindPoint point) const {
+  const std::vector<Binding>& rows = declaration_->bindings();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (*rows[i].resource == r && rows[i].point == point) return slots_[i];
+  }
+  throw std::logic_error("a pass accesses " + std::string(r.name) +
+                         " and does not declare that use of it");
 }
 
 }  // namespace macula::frame

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <set>
 
 namespace macula::frame {
@@ -12,32 +12,51 @@ namespace {
 struct State {
   std::string_view writer;  ///< last pass that wrote it; empty: none
   bool read = false;        ///< since that write
-  bool everRead = false;
   bool isHistory = false;
 };
+
+bool hasUnit(BindPoint point) {
+  return point != BindPoint::Update && point != BindPoint::Indirect;
+}
+
+bool isBufferPoint(BindPoint point) {
+  return point == BindPoint::Storage || point == BindPoint::Indirect;
+}
 
 class Validator {
  public:
   void visit(const DeclaredPass& pass) {
     if (!names_.insert(pass.name).second) report("pass '{}' stands twice in the frame", pass.name);
-    std::set<Resource> seen;
-    for (const Touch& touch : pass.touches) {
-      if (!seen.insert(touch.resource).second) {
-        report("pass '{}' declares {} twice", pass.name, nameOf(touch.resource));
-      }
+    for (const Binding& row : pass.table.bindings()) {
+      // Also where the row rests: what is written now is history for a frame in which it does not.
+      if (readsHistory(row.access)) states_[row.resource].isHistory = true;
     }
-    // What a pass reads, it reads before it writes.
-    for (const Touch& touch : pass.touches) visitRead(pass, touch);
-    for (const Touch& touch : pass.touches) visitWrite(pass, touch);
+    for (std::uint32_t step = 0; step < pass.table.steps(); ++step) {
+      std::vector<Binding> rows;
+      for (const Binding& row : pass.table.bindings()) {
+        if (row.step == step && row.active) rows.push_back(row);
+      }
+      visitUnits(pass, rows);
+      // What a step reads, it reads before it writes.
+      for (const Binding& row : rows) visitRead(pass, row);
+      for (const Binding& row : rows) visitWrite(pass, row);
+    }
+    visitSizes(pass);
   }
 
-  std::vector<std::string> finish(std::span<const Resource> results) {
-    for (std::size_t i = 0; i < kResourceCount; ++i) {
-      const State& state = states_[i];
-      const auto resource = static_cast<Resource>(i);
+  std::vector<std::string> finish(std::span<const Resource* const> results) {
+    for (const auto& [resource, state] : states_) {
       if (state.writer.empty() || state.read || state.isHistory) continue;
       if (std::find(results.begin(), results.end(), resource) != results.end()) continue;
-      report("pass '{}' writes {}, which nobody reads afterwards", state.writer, nameOf(resource));
+      report("pass '{}' writes {}, which no pass reads afterwards", state.writer, resource->name);
+    }
+    for (const auto& [resource, pass] : declared_) {
+      if (resource->size != SizeRule::Declared && resource->size != SizeRule::DisplaySamples) {
+        continue;
+      }
+      if (!extents_.contains(resource)) {
+        report("pass '{}' declares {}, whose size no pass states", pass, resource->name);
+      }
     }
     return std::move(problems_);
   }
@@ -48,44 +67,86 @@ class Validator {
     problems_.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  State& state(Resource r) { return states_[static_cast<std::size_t>(r)]; }
+  void visitUnits(const DeclaredPass& pass, const std::vector<Binding>& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Binding& a = rows[i];
+      const bool buffer = a.resource->isBuffer();
+      if (a.point != BindPoint::Update && buffer != isBufferPoint(a.point)) {
+        report("pass '{}' binds {} as what it is not", pass.name, a.resource->name);
+      }
+      for (std::size_t j = i + 1; j < rows.size(); ++j) {
+        const Binding& b = rows[j];
+        if (a.point != b.point) continue;
+        if (a.resource == b.resource) {
+          report("pass '{}' declares {} twice in one step", pass.name, a.resource->name);
+        } else if (hasUnit(a.point) && a.unit == b.unit) {
+          report("pass '{}' binds {} and {} at one unit", pass.name, a.resource->name,
+                 b.resource->name);
+        }
+      }
+    }
+  }
 
-  void visitRead(const DeclaredPass& pass, const Touch& touch) {
-    State& s = state(touch.resource);
-    if (touch.access == Access::ReadHistory || touch.access == Access::Carry) {
-      s.isHistory = true;
-      if (!s.writer.empty()) {
+  void visitSizes(const DeclaredPass& pass) {
+    for (const Binding& row : pass.table.bindings()) declared_.emplace(row.resource, pass.name);
+    for (const Extent& e : pass.table.extents()) {
+      const auto [found, added] = extents_.emplace(e.resource, e);
+      const Extent& first = found->second;
+      if (!added &&
+          (first.bytes != e.bytes || first.size != e.size || first.samples != e.samples)) {
+        report("pass '{}' states another size of {} than an earlier pass", pass.name,
+               e.resource->name);
+      }
+    }
+  }
+
+  void visitRead(const DeclaredPass& pass, const Binding& row) {
+    if (!reads(row.access) || row.access == Access::Scratch) return;
+    State& s = states_[row.resource];
+    const std::string_view name = row.resource->name;
+    if (readsHistory(row.access)) {
+      if (!s.writer.empty() && s.writer != pass.name) {
         report("pass '{}' reads the history of {}, which pass '{}' has already overwritten",
-               pass.name, nameOf(touch.resource), s.writer);
+               pass.name, name, s.writer);
       }
       return;
     }
-    if (touch.access == Access::Write || touch.access == Access::Keep ||
-        touch.access == Access::Scratch) {
-      return;
-    }
-    if (s.writer.empty() && infoOf(touch.resource).clear == ClearKind::Never) {
-      report("pass '{}' reads {}, which no earlier pass writes", pass.name, nameOf(touch.resource));
+    if (s.writer.empty() && row.resource->initial == Initial::Undefined) {
+      report("pass '{}' reads {}, which no earlier pass writes", pass.name, name);
     }
     s.read = true;
   }
 
-  void visitWrite(const DeclaredPass& pass, const Touch& touch) {
-    if (touch.access == Access::Read || touch.access == Access::ReadHistory) return;
-    State& s = state(touch.resource);
-    if (touch.access == Access::Consume || touch.access == Access::Scratch) {
+  void visitWrite(const DeclaredPass& pass, const Binding& row) {
+    if (!writes(row.access)) return;
+    State& s = states_[row.resource];
+    if (row.access == Access::ReadInvalidate || row.access == Access::Scratch) {
       s.writer = {};  // a later read finds nothing
       return;
     }
-    if (touch.access == Access::Write && !s.writer.empty() && !s.read) {
-      report("pass '{}' overwrites {} of pass '{}', which nobody has read", pass.name,
-             nameOf(touch.resource), s.writer);
+    const bool unread = !s.writer.empty() && s.writer != pass.name && !s.read;
+    if (row.access == Access::Write && unread) {
+      report("pass '{}' overwrites {} of pass '{}', which no pass has read", pass.name,
+             row.resource->name, s.writer);
     }
     s.writer = pass.name;
-    s.read = false;
+    s.read = isReadInOtherStep(pass, row);
   }
 
-  std::array<State, kResourceCount> states_{};
+  /// Steps may be repeated, and so a step may read what a later one wrote.
+  static bool isReadInOtherStep(const DeclaredPass& pass, const Binding& written) {
+    const std::vector<Binding>& rows = pass.table.bindings();
+    return std::any_of(rows.begin(), rows.end(), [&](const Binding& row) {
+      return row.resource == written.resource && row.step != written.step && reads(row.access);
+    });
+  }
+
+  struct ByName {
+    bool operator()(const Resource* a, const Resource* b) const { return a->name < b->name; }
+  };
+  std::map<const Resource*, State, ByName> states_;
+  std::map<const Resource*, Extent, ByName> extents_;
+  std::map<const Resource*, std::string_view, ByName> declared_;  ///< first pass that names it
   std::set<std::string_view> names_;
   std::vector<std::string> problems_;
 };
@@ -93,7 +154,7 @@ class Validator {
 }  // namespace
 
 std::vector<std::string> validate(std::span<const DeclaredPass> passes,
-                                  std::span<const Resource> results) {
+                                  std::span<const Resource* const> results) {
   Validator validator;
   for (const DeclaredPass& pass : passes) validator.visit(pass);
   return validator.finish(results);

@@ -1,7 +1,5 @@
 #include "engine/gl/debug.h"
 
-#include "engine/gl/block_check.h"
-
 namespace macula::gl {
 namespace {
 
@@ -25,7 +23,6 @@ DebugLog::DebugLog() {
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(receive, this);
-  BlockCheck::enableInDebugContext();
 }
 
 DebugLog::~DebugLog() {
@@ -35,6 +32,17 @@ DebugLog::~DebugLog() {
 void DebugLog::add(GLenum /*type*/, GLuint id, std::string_view text) {
   outOfMemory_ = outOfMemory_ || id == GL_OUT_OF_MEMORY;
   if (messages_.size() < kMaxMessages) messages_.emplace_back(text);
+}
+
+bool isDebugContext() {
+  GLint flags = 0;
+  glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+  return (static_cast<GLuint>(flags) & GL_CONTEXT_FLAG_DEBUG_BIT) != 0;
+}
+
+void reportMistake(std::string_view mistake) {
+  glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_ERROR, 0, GL_DEBUG_SEVERITY_HIGH,
+                       static_cast<GLsizei>(mistake.size()), mistake.data());
 }
 
 DebugGroup::DebugGroup(std::string_view name) {

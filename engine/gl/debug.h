@@ -1,4 +1,4 @@
-// What the driver says: errors and warnings of KHR_debug, collected and counted.
+// Messages of the driver: errors and warnings of KHR_debug, collected and counted.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +28,11 @@ class DebugLog {
   std::vector<std::string> messages_;
   bool outOfMemory_ = false;
 };
+
+/// Whether the current context was made to be debugged.
+[[nodiscard]] bool isDebugContext();
+/// Sends a mistake of the program as a debug message, which a DebugLog keeps.
+void reportMistake(std::string_view mistake);
 
 /// A named group of commands in debuggers, from construction to destruction.
 class DebugGroup {

@@ -55,10 +55,11 @@ void Buffer::upload(const void* values, std::size_t bytes, std::size_t offset) {
   glNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), values);
 }
 
-void Buffer::download(void* values, std::size_t bytes) const {
-  assert(bytes <= bytes_);
+void Buffer::download(void* values, std::size_t bytes, std::size_t offset) const {
+  assert(offset + bytes <= bytes_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(id(), 0, static_cast<GLsizeiptr>(bytes), values);
+  glGetNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                          values);
 }
 
 Texture::Texture(std::string_view name, GLenum format, int width, int height, int levels)

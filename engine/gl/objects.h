@@ -84,8 +84,8 @@ class Buffer {
   explicit operator bool() const { return static_cast<bool>(object_); }
   /// Replaces bytes [offset, offset + size of values).
   void upload(const void* values, std::size_t bytes, std::size_t offset = 0);
-  /// Reads bytes from the start; waits for the GPU.
-  void download(void* values, std::size_t bytes) const;
+  /// Reads bytes [offset, offset + bytes), behind a barrier; waits for the GPU.
+  void download(void* values, std::size_t bytes, std::size_t offset = 0) const;
 
  private:
   Object<BufferTraits> object_;

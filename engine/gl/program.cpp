@@ -51,7 +51,12 @@ ProgramCache::ProgramCache(std::filesystem::path shaderFolder) : folder_(std::mo
 
 GLuint ProgramCache::get(const ProgramKey& key) {
   const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second.id();
+  const GLuint id = found != programs_.end() ? found->second.id() : make(key);
+  if (record_ != nullptr) record_->push_back(id);
+  return id;
+}
+
+GLuint ProgramCache::make(const ProgramKey& key) {
   ProgramId program(glCreateProgram());
   for (const std::string& file : key.files) {
     compileInto(program.id(), file, assembleShader(folder_, file, key.defines, key.extensions));

@@ -27,8 +27,13 @@ class ProgramCache {
   /// @returns the GL name of the program
   /// @throws std::runtime_error with the compiler's messages (a mistake in Macula or the driver)
   GLuint get(const ProgramKey& key);
+  /// From now on, programs that get() returns are also noted here; nullptr ends it.
+  void record(std::vector<GLuint>* into) { record_ = into; }
 
  private:
+  GLuint make(const ProgramKey& key);
+
+  std::vector<GLuint>* record_ = nullptr;
   std::filesystem::path folder_;
   std::map<ProgramKey, ProgramId> programs_;
 };

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 /// The timer may differ from the steady clock by this share: launch costs are in one and not in
 /// the other.
 constexpr double kTolerance = 0.20;
-/// Below this a launch costs as much as the work, and the comparison says nothing.
+/// Below this a launch costs as much as the work, and the comparison means nothing.
 constexpr double kLeastMs = 4.0;
 /// Loop iterations of a thread; well below the bound that some rasterisers put on loops.
 constexpr int kIterations = 4096;

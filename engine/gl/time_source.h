@@ -1,4 +1,4 @@
-// The time-source check: does the GL timer tell the truth on this machine?
+// The time-source check: is the GL timer right on this device?
 #pragma once
 
 #include <array>

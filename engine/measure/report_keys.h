@@ -62,7 +62,8 @@ inline constexpr auto kReportKeys = std::to_array<ReportKey>({
      "a recording has times of its own"},
     {"provenance.seed", "", "`frame.seed`.", Shape::Integer},
     {"bytes.buffers", "bytes",
-     "Each buffer and texture of transparency by name; they add up to `bytes.total`.",
+     "Each buffer and texture of transparency by name, while it is alive. Buffers whose lives in a "
+     "frame do not meet share memory, so they add up to `bytes.total` or more.",
      Shape::Counts},
     {"interrupted", "", "Ctrl-C came before the last frame; numbers are of those that were drawn.",
      Shape::Flag},

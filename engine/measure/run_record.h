@@ -34,7 +34,8 @@ struct RunRecord {
   std::optional<std::string> sync;
   nlohmann::json settings;
   nlohmann::ordered_json provenance;  ///< of measure::Provenance
-  /// Each buffer and texture of transparency by name; they add up to the metric bytes.total.
+  /// Each buffer and texture of transparency by name, while it is alive. Where lives do not meet,
+  /// buffers share memory, so these add up to the metric bytes.total or more.
   std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes;
   double loadMs = 0.0;
   double firstFrameMs = 0.0;       ///< from the start of the command to the end of the first frame

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "engine/core/error.h"
-#include "engine/gl/block_check.h"
 #include "engine/scene/alpha_holes.h"
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
@@ -160,7 +159,6 @@ void GpuScene::draw(const DrawList& list, const DrawRun& run) const {
   }
   constexpr std::size_t kCommandBytes = 5 * sizeof(GLuint);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.id());
-  gl::BlockCheck::beforeUse();
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
                               reinterpret_cast<const void*>(run.first * kCommandBytes),
                               static_cast<GLsizei>(run.count), 0);

@@ -1,4 +1,5 @@
-// What the passes of the level of detail share: the plan, and that they work where it wants them.
+// What the passes of opaque surfaces at a reduced rate share: the plan, and that they work where it
+// wants them.
 #pragma once
 
 #include <string>
@@ -6,6 +7,8 @@
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
 #include "passes/lod/plan.h"
+#include "passes/lod/resources.h"
+#include "passes/resources.h"
 #include "shared/dispatch.h"
 #include "shared/lod_totals.h"
 
@@ -22,14 +25,15 @@ class LodPass : public frame::Pass {
     if (!plan_.wanted) return "every pixel is shaded";
     return used() ? "opaque surfaces are shaded at a lower rate" : "not of use with these settings";
   }
-  void declare(frame::PassDeclaration& d) const final {
-    if (plan_.wanted && used()) declareWork(d);
-  }
 
  protected:
   /// Whether settings and scene need this step.
   [[nodiscard]] virtual bool used() const { return true; }
-  virtual void declareWork(frame::PassDeclaration& d) const = 0;
+
+  /// What is reconstructed, and shaded in holes.
+  [[nodiscard]] const frame::Resource& target() const {
+    return plan_.parts.shading ? kHdrColor : kShadingParts;
+  }
 
   static constexpr glm::ivec2 kGroup{FULLSCREEN_GROUP};
   const LodPlan& plan_;

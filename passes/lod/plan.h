@@ -5,7 +5,6 @@
 #include <glm/glm.hpp>
 
 #include "engine/frame/frame_inputs.h"
-#include "engine/frame/resource.h"
 #include "engine/gl/program.h"
 #include "passes/lod/settings.h"
 
@@ -14,7 +13,7 @@ namespace macula::passes {
 /// What follows from settings, scene and levers. The first part changes with settings and scene
 /// only; the second from frame to frame, without any allocation.
 struct LodPlan {
-  /// Opaque surfaces may be shaded at less than full rate: the passes have work.
+  /// Opaque surfaces may be shaded at a reduced rate: the passes have work.
   bool wanted = false;
   /// What is: `shading`, or those of the other parts that the scene has.
   LodParts parts = {};
@@ -25,21 +24,21 @@ struct LodPlan {
   bool foveated = false;
   /// Transparent surfaces may be drawn at 1/r, too. Foveation does not apply to them.
   bool transparency = false;
-  /// What could be computed at 1/r if any r above 1 was asked for.
+  /// What could be computed at 1/r if an r above 1 were asked for.
   bool canResizeShading = false;
   bool canResizeTransparency = false;
 
-  double resize = 1.0;      ///< r; 1 where nothing is resized
+  double resize = 1.0;      ///< r; 1 at full rate
   glm::ivec2 size{0};       ///< samples of the image
-  glm::ivec2 texels{0};     ///< of the resized image L
+  glm::ivec2 texels{0};     ///< of the reduced-rate image L
   glm::ivec2 tiles{0};      ///< of L
-  glm::vec4 acuity{0.0F};   ///< slope, w0 in degrees, samples a minimum angle, coarsest rate
+  glm::vec4 acuity{0.0F};   ///< slope, w0 in degrees, samples per minimum angle, coarsest rate
   float viewerSamples = 1;  ///< distance of the viewer in samples of the image
   int load = 1;             ///< times that the shading is computed
 
   /// Whether this frame shades every pixel, so that nothing is reconstructed.
   [[nodiscard]] bool fullRate() const { return resize == 1.0 && !foveated; }
-  /// Whether this frame draws transparency at less than full rate.
+  /// Whether this frame draws transparency at a reduced rate.
   [[nodiscard]] bool resizesTransparency() const { return transparency && texels != size; }
   /// Samples at which this frame draws transparency.
   [[nodiscard]] glm::ivec2 transparencySize() const { return transparency ? texels : size; }
@@ -47,13 +46,9 @@ struct LodPlan {
   [[nodiscard]] bool shadesHoles() const {
     return holes == Holes::Shade && reconstruction != Reconstruction::Bilinear;
   }
-  /// What is reconstructed, and shaded in holes.
-  [[nodiscard]] frame::Resource target() const {
-    return parts.shading ? frame::Resource::HdrColor : frame::Resource::ShadingParts;
-  }
 };
 
-/// Fills in the first part. @param mayResize a controller may ask for less than full rate
+/// Fills in the first part. @param mayResize a controller may ask for a reduced rate
 void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings& foveation,
              const scene::SceneFacts& facts, bool mayResize);
 

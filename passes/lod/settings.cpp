@@ -51,7 +51,7 @@ void registerSettings(settings::Registry& registry, LodSettings& s) {
       {.key = "lod.holes", .help = "pixels that no sample fits: shaded, or the best sample"},
       s.holes, {"shade", "tap"});
   registry.add({.key = "lod.demodulate",
-                .help = "macula: surface colours stay at full rate, only light is resized"},
+                .help = "macula: surface colours stay at full rate, only light is computed at 1/r"},
                s.demodulate);
   registry.add({.key = "lod.sigmaNormal",
                 .help = "sigma_n of Yang 2008, Eq. 1, of normals divided by their z"},
@@ -84,10 +84,11 @@ void registerSettings(settings::Registry& registry, FoveationSettings& s) {
                 .unit = "pixels/degree",
                 .help = "of the image; 0: from display.widthMm and display.distanceMm"},
                s.pixelsPerDegree, {.min = 0.0, .max = 1000.0});
-  registry.addNumberChoice({.key = "foveation.coarsest",
-                            .unit = "samples",
-                            .help = "of the resized image a side that share one of the shading"},
-                           s.coarsest, {1, 2, 4, 8});
+  registry.addNumberChoice(
+      {.key = "foveation.coarsest",
+       .unit = "samples",
+       .help = "of the reduced-rate image a side that share one of the shading"},
+      s.coarsest, {1, 2, 4, 8});
 }
 
 }  // namespace macula::passes

@@ -28,7 +28,7 @@ struct LodSettings {
   std::string what = "shading";
   Reconstruction reconstruction = Reconstruction::Macula;
   Holes holes = Holes::Shade;
-  bool demodulate = true;     ///< macula: surface colours stay at full rate, light is resized
+  bool demodulate = true;  ///< macula: surface colours stay at full rate, light is computed at 1/r
   double sigmaNormal = 0.2;   ///< of yang2008: length of the difference of normals over their z
   double sigmaDepth = 0.01;   ///< of yang2008: share of the pixel's own depth
   bool transparency = false;  ///< transparent surfaces at 1/r, too

@@ -1,19 +1,14 @@
-// What the passes of transparency share: the plan, and that they work where something is
-// transparent and the plan wants them.
+// What the passes of transparency share: the plan, and rows of binding tables that follow from it.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 
-#include "engine/core/plural.h"
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
 #include "passes/oit/plan.h"
+#include "passes/resources.h"
 #include "shared/dispatch.h"
-#include "shared/oit_constants.h"
 
 namespace macula::passes {
 
@@ -24,66 +19,73 @@ inline constexpr glm::ivec2 kFullScreenGroup{FULLSCREEN_GROUP};
 class OitPass : public frame::Pass {
  public:
   explicit OitPass(const OitPlan& plan) : plan_(plan) {}
-  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const final {
-    return in.facts.transparentTriangles > 0 && wanted();
-  }
-  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const final {
-    if (in.facts.transparentTriangles == 0) return "nothing transparent";
-    if (!wanted()) return fmt::format("{} does not use it", plan_.method->id);
-    return fmt::format("{} by {}", counted(in.facts.transparentTriangles, "transparent triangle"),
-                       plan_.method->id);
-  }
-  void declare(frame::PassDeclaration& d) const final {
-    if (wanted()) declareWork(d);
-  }
-  void execute(frame::PassContext& context) final {
-    if (plan_.resized()) context.bindConstants(frame::Raster::Resized);
-    run(context);
-    if (plan_.resized()) context.bindConstants(frame::Raster::Image);
-  }
+  [[nodiscard]] bool hasWork(const frame::FrameInputs& in) const final;
+  [[nodiscard]] std::string reason(const frame::FrameInputs& in) const final;
+  /// Binds the constants of the plan's size around run().
+  void execute(frame::PassContext& context) final;
 
  protected:
-  /// Whether the plan's method uses this pass.
+  /// Whether the plan's method and options use this pass.
   [[nodiscard]] virtual bool wanted() const = 0;
-  /// What it touches where it is wanted.
-  virtual void declareWork(frame::PassDeclaration& d) const = 0;
   /// Its work in one frame, at the plan's size. Allocates nothing.
   virtual void run(frame::PassContext& context) = 0;
 
-  // Which of two resources a frame uses may change from frame to frame; declarations name both.
-  void readsDepth(frame::PassDeclaration& d, frame::Use use) const {
-    d.reads(frame::Resource::Depth, use);
-    if (plan_.resizable) d.reads(frame::Resource::ResizedDepth, use);
-  }
-  void readsTestedDepth(frame::PassDeclaration& d, frame::Use use) const {
-    plan_.culls() ? d.reads(frame::Resource::CullDepth, use) : readsDepth(d, use);
-  }
-  void modifiesColor(frame::PassDeclaration& d, frame::Use use) const {
-    d.modifies(frame::Resource::HdrColor, use);
-    if (plan_.resizable) d.modifies(frame::Resource::ResizedColor, use);
-  }
-  /// Binds targets with a viewport of the plan's size.
-  void bindTargets(const frame::PassContext& context, std::initializer_list<frame::Resource> colors,
-                   frame::Resource depth) const {
-    context.bindTargets(colors, depth, plan_.size);
-  }
+  // Rows that are one resource at full rate and another at a reduced rate.
+  /// Opaque depth at the samples of transparency.
+  /// @param active whether this frame uses it
+  void depthTexture(frame::PassDeclaration& d, std::uint32_t unit, bool active = true) const;
+  /// The same as attachment, with a viewport of the plan's size.
+  void depthTarget(frame::PassDeclaration& d, bool active = true) const;
+  /// What captured fragments are tested against: opaque depth, or the cull depth.
+  void testedDepthTexture(frame::PassDeclaration& d, std::uint32_t unit) const;
+  /// The same as attachment, with a viewport of the plan's size.
+  void testedDepthTarget(frame::PassDeclaration& d) const;
+  /// What transparency is drawn over, read and written: the image, or at a reduced rate a buffer of
+  /// its own.
+  void colorImage(frame::PassDeclaration& d, std::uint32_t unit) const;
+  /// The same as attachment; the viewport is set by a row of depth.
+  void colorTarget(frame::PassDeclaration& d, std::uint32_t location) const;
+
+  /// The shadow map, where shaders with lightingDefines() read it.
+  static void shadowMap(frame::PassDeclaration& d, const frame::FrameInputs& in);
 
   const OitPlan& plan_;
 };
 
+/// A pass of one compute shader.
+class OitComputePass : public OitPass {
+ public:
+  using OitPass::OitPass;
+  void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) final;
+
+ protected:
+  [[nodiscard]] virtual gl::ProgramKey program() const = 0;
+  /// Sets uniforms and dispatches, with the program in use: a thread for each strip, unless
+  /// overridden.
+  virtual void dispatch(const frame::PassContext& context);
+
+ private:
+  void run(frame::PassContext& context) final;
+
+  GLuint program_ = 0;
+};
+
+// Rows of storage, with its size where it is written.
+void totalsRow(frame::PassDeclaration& d, frame::Access access);
+/// Keys of the fragment pool.
+void keysRow(frame::PassDeclaration& d, const OitPlan& plan, frame::Access access);
+/// Colours of the fragment pool; nothing where keys hold them.
+void colorsRow(frame::PassDeclaration& d, const OitPlan& plan, frame::Access access);
+/// Links of the fragment pool; nothing where it holds no lists.
+void linksRow(frame::PassDeclaration& d, const OitPlan& plan, frame::Access access);
+
+/// What an allocation writes (shaders/lib/slot_range.glsl): the range of each pixel, and the tails
+/// that it empties.
+void slotRangeRows(frame::PassDeclaration& d, const OitPlan& plan);
+[[nodiscard]] gl::Defines slotRangeDefines(const OitPlan& plan);
+
 /// Threads for all strips of so many samples and the shape of their groups: a row of groups per row
 /// of samples.
-inline void dispatchStrips(const frame::PassContext& context, glm::ivec2 size) {
-  const glm::ivec2 threads((size.x + STRIP - 1) / STRIP, size.y);
-  context.dispatch(threads, {STRIP_GROUP, 1});
-}
-
-/// Pixels a side of which the search for a price looks at one.
-[[nodiscard]] inline int priceStride(glm::ivec2 size) {
-  const auto pixels = static_cast<std::int64_t>(size.x) * size.y;
-  int stride = 1;
-  while (pixels / (stride * stride) > PRICE_PIXELS) ++stride;
-  return stride;
-}
+void dispatchStrips(const frame::PassContext& context, glm::ivec2 size);
 
 }  // namespace macula::passes

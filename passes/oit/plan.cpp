@@ -1,67 +1,29 @@
 #include "passes/oit/plan.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "engine/core/error.h"
-#include "engine/core/plural.h"
+#include "shared/network.h"
 #include "shared/oit_constants.h"
 
 namespace macula::passes {
 namespace {
 
-/// Products of importance and slots must stay exact in shaders/lib/budget.glsl.
-constexpr double kMostSlots = 1U << 29U;
-
-/// Bytes that the budget grants. Vasilakis 2017, Eq. 2: M = k_ave w h fragments; or M bytes.
-double grantedBytes(const OitPlan& plan, std::uint64_t samples) {
-  constexpr double kMebi = 1024.0 * 1024.0;
-  const OitSettings& s = plan.options;
-  if (s.memoryMiB > 0.0) return std::floor(s.memoryMiB * kMebi);
-  const double slots = std::floor(s.kAve * static_cast<double>(samples));
-  return slots * static_cast<double>(plan.fragmentBytes());
+const char* syncDefine(SyncMode mode) {
+  switch (mode) {
+    case SyncMode::Interlock:
+      return "SYNC_INTERLOCK";
+    case SyncMode::Ordered:
+      return "SYNC_ORDERED";
+    case SyncMode::None:
+      return "SYNC_NONE";
+    case SyncMode::Spinlock:
+    case SyncMode::Auto:
+      break;
+  }
+  return "SYNC_SPINLOCK";
 }
 
-void planConstant(OitPlan& plan, std::uint64_t samples, double bytes) {
-  const double perSample = bytes / static_cast<double>(samples);
-  const double tail = plan.denseTail() ? static_cast<double>(kDenseTailBytes) : 0.0;
-  const double layers = std::floor((perSample - tail) / static_cast<double>(plan.fragmentBytes()));
-  const double least = plan.tailInSlot() ? plan.tailSlots() : 1.0;
-  if (layers < least || layers * static_cast<double>(samples) > kMostSlots) {
-    failInput(
-        "the transparency budget gives each of {} {:.2f} bytes, which {} cannot cut into "
-        "equal layers of {} bytes{}; change --k-ave or --oit-memory",
-        counted(samples, "sample"), perSample, plan.method->id, plan.fragmentBytes(),
-        plan.denseTail()    ? " beside its tail of 16"
-        : plan.tailInSlot() ? ", 16 bytes of them for its tail"
-                            : "");
-  }
-  plan.layers = static_cast<std::uint32_t>(layers);
-  plan.slots = static_cast<std::uint32_t>(plan.layers * samples);
-}
-
-}  // namespace
-
-void planBudget(OitPlan& plan, std::uint64_t samples) {
-  const double bytes = grantedBytes(plan, samples);
-  const double fragments = std::floor(bytes / static_cast<double>(plan.fragmentBytes()));
-  if (fragments < 1.0) {
-    failInput(
-        "the transparency budget holds no fragment ({} bytes each); raise --k-ave or "
-        "--oit-memory",
-        plan.fragmentBytes());
-  }
-  if (fragments > kMostSlots) {
-    failInput(
-        "the transparency budget of {:.0f} fragments is more than {:.0f}; lower --k-ave or "
-        "--oit-memory",
-        fragments, kMostSlots);
-  }
-  plan.budgetBytes = static_cast<std::uint64_t>(bytes);
-  plan.slots = static_cast<std::uint32_t>(fragments);
-  if (plan.method->allocation == Allocation::Constant) planConstant(plan, samples, bytes);
-}
-
+/// Slots a sample or texel where they are constant: what the pool gives those of this frame.
 std::uint32_t layersOf(const OitPlan& plan) {
   const auto samples =
       static_cast<std::uint64_t>(plan.size.x) * static_cast<std::uint64_t>(plan.size.y);
@@ -69,30 +31,45 @@ std::uint32_t layersOf(const OitPlan& plan) {
       std::min<std::uint64_t>(plan.slots / samples, MAX_PIXEL_LAYERS));
 }
 
+}  // namespace
+
+void planMethod(OitPlan& plan, const PlanInputs& in) {
+  const Method& method = methodById(in.settings.method);
+  if (plan.method != &method) plan.slots = plan.poolSlots = 1;
+  plan.method = &method;
+  plan.options = in.settings;
+  plan.layers = static_cast<std::uint32_t>(in.settings.layers);  // which peeling uses as they are
+  plan.sync = method.isRacy() ? SyncMode::None
+                              : chooseSync(syncByName(in.settings.sync), in.device, in.ordered);
+  plan.budgetBytes.reset();
+  if (method.allocation.planSlots != nullptr) method.allocation.planSlots(plan, in);
+}
+
+void planNetwork(OitPlan& plan, LoadedNetwork& loaded) {
+  plan.network = nullptr;
+  if (!plan.usesNetwork()) return;
+  if (plan.learnsUtility()) plan.importance.slices = LEARNED_SLICES;
+  plan.network = &loaded.get(plan.networkModel(), plan.options.network);
+}
+
+void planFrameSlots(OitPlan& plan, float share) {
+  const Allocation& allocation = plan.method->allocation;
+  if (!allocation.adjusts) return;
+  plan.slots =
+      std::max(1U, static_cast<std::uint32_t>(static_cast<double>(share) * plan.poolSlots));
+  if (!allocation.constant) return;
+  // The same slots for the texels there are; one each, or what a tail takes, is the least.
+  const std::uint32_t least = static_cast<std::uint32_t>(plan.size.x) *
+                              static_cast<std::uint32_t>(plan.size.y) *
+                              (plan.tailInSlot() ? plan.tailSlots() : 1U);
+  plan.slots = std::min(std::max(plan.slots, least), plan.poolSlots);
+  plan.layers = layersOf(plan);
+}
+
 gl::Defines definesOf(const OitPlan& plan) {
   gl::Defines defines;
   const auto define = [&](const char* name) { defines.emplace_back(name, "1"); };
-  switch (plan.method->insertion) {
-    case Insertion::Appended:
-      define("INSERTION_APPEND");
-      break;
-    case Insertion::Linked:
-      define("INSERTION_LINKED");
-      break;
-    case Insertion::Sorted:
-      define("INSERTION_SORTED");
-      break;
-    case Insertion::AtomicMin:
-      define("INSERTION_ATOMIC");
-      break;
-    case Insertion::StencilRouted:
-      define("INSERTION_ROUTED");
-      break;
-    case Insertion::Blended:
-    case Insertion::Weighted:
-    case Insertion::Peeled:
-      break;
-  }
+  if (plan.method->stores()) define(plan.method->insertion.define);
   if (plan.method->hasRanges()) define("RANGES");
   if (plan.packed()) define("PACKED");
   if (plan.tailInSlot()) define("TAIL_IN_SLOT");
@@ -101,19 +78,17 @@ gl::Defines definesOf(const OitPlan& plan) {
   return defines;
 }
 
-gl::Defines syncDefines(const OitPlan& plan) {
-  switch (plan.sync) {
-    case SyncMode::Interlock:
-      return {{"SYNC_INTERLOCK", "1"}};
-    case SyncMode::Ordered:
-      return {{"SYNC_ORDERED", "1"}};
-    case SyncMode::None:
-      return {{"SYNC_NONE", "1"}};
-    case SyncMode::Spinlock:
-    case SyncMode::Auto:
-      return {{"SYNC_SPINLOCK", "1"}};
-  }
-  return {};
+gl::Defines captureDefines(const OitPlan& plan) {
+  gl::Defines defines = definesOf(plan);
+  if (plan.method->hasFill()) defines.emplace_back(syncDefine(plan.sync), "1");
+  if (plan.keepsFrontNormal()) defines.emplace_back("FRONT_NORMAL", "1");
+  if (plan.predictsCounts()) defines.emplace_back("COUNT_OUT", "1");
+  return defines;
+}
+
+std::vector<std::string> captureExtensions(const OitPlan& plan) {
+  if (plan.sync != SyncMode::Interlock || !plan.sorted()) return {};
+  return {"GL_ARB_fragment_shader_interlock"};
 }
 
 }  // namespace macula::passes

@@ -7,17 +7,18 @@
 
 namespace macula::passes {
 
-/// What becomes of fragments that a k-buffer does not keep.
+/// The core of a pixel are the fragments that get slots of their own, the tail are all others
+/// behind them (hybrid transparency, Maule et al. 2013).
 enum class Tail : std::uint8_t {
-  None,  ///< nothing: they are lost
-  Mean,  ///< one layer behind the kept ones: mean colour by optical depth, exact transmittance
+  None,  ///< the tail is lost
+  Mean,  ///< one layer behind the core: mean colour by optical depth, exact transmittance
 };
 
-/// What says how many layers a pixel of kb-variable needs.
+/// What the number of layers of a pixel of kb-variable follows.
 enum class Predictor : std::uint8_t {
   Published,      ///< the importance map of Vasilakis 2017, Eq. 3-6
-  Transmittance,  ///< layers until what is left weighs less than a threshold for the whole image
-  Error,          ///< the layers that lower the predicted error of the image most
+  Transmittance,  ///< a slot's utility is the transmittance of the slots before it
+  Error,          ///< a slot's utility is how much it lowers the predicted error of the image
   Learned,        ///< the same, the prediction corrected by a network
 };
 
@@ -37,7 +38,7 @@ struct OitSettings {
   double kAve = 4.0;       ///< slots per sample on average, > 0
   double memoryMiB = 0.0;  ///< 0: by kAve
   std::string sync = "auto";
-  int layers = 8;  ///< slots of ab-array, passes of peel
+  int layers = 8;  ///< slots a pixel of ab-array, passes of peel
   bool fill = false;
   Tail tail = Tail::None;
   Predictor importance = Predictor::Published;
@@ -61,7 +62,7 @@ struct ImportanceSettings {
   double gazeWeight = 0.0;     ///< 0: errors count alike everywhere; 1: by I_per of Eq. 4
 };
 
-/// @throws InputError where options are combined that make no sense together, saying why
+/// @throws InputError where options contradict one another or the method, with the reason
 void checkCombination(const OitSettings& settings);
 
 }  // namespace macula::passes

@@ -1,5 +1,5 @@
-// Shares of the budget in exact integer arithmetic (Vasilakis 2017, Eq. 1), so that the sum of all
-// k never exceeds the slots and no thread order changes a bit.
+// A pixel's share of the budget (Vasilakis 2017, Eq. 1: k_p = M I_p / sum I) in exact integer
+// arithmetic, so that the sum of all k never exceeds the slots and no thread order changes a bit.
 
 /// floor(importance * slots / total), corrected so that rounding in the division cannot show.
 /// Products stay below 2^53, where doubles are exact: importance < 2^18, slots < 2^29.

@@ -1,7 +1,7 @@
 // Stored fragments: 16 bytes (key, premultiplied RGBA16F) or, PACKED, 8 bytes (24 bits of depth and
 // 8 of alpha, then premultiplied RGB with a shared exponent).
-// STORE_ACCESS: memory qualifiers of the arrays. STORE_READONLY: nothing is stored. KEYS_ONLY: only the
-// keys are looked at. A block that a shader declares must have its buffer, used or not.
+// STORE_ACCESS: memory qualifiers of the arrays. STORE_READONLY: nothing is stored. KEYS_ONLY: only keys
+// are used; a block that a shader declares must be bound, even if unused.
 #include "lib/oit.glsl"
 
 layout(std430, binding = SSBO_FRAGMENT_KEYS) STORE_ACCESS buffer Keys { uvec2 keys[]; };
@@ -37,7 +37,7 @@ vec3 unpackRgb9e5(uint v) {
   return m * exp2(float(v >> 27) - 24.0);
 }
 
-/// Depth, nearest first, in 24 bits: 30 bits tell all depths of 0..1 apart, the lowest 6 go.
+/// Depth, nearest first, in 24 bits: 30 bits hold all floats of 0..1; the lowest 6 are dropped.
 uint depth24(uvec2 key) { return (key.x - ~0x3F800000u) >> 6; }
 
 Fragment makeFragment(uvec2 key, vec4 premultiplied) {

@@ -14,11 +14,11 @@ float depthComplexityFactor(float layers, ImportanceSettings s) {
   return clamp(s.rangeBias + (1.0 - s.rangeBias) * min(1.0, layers / s.layerLimit), 0.0, 1.0);
 }
 
-/// Eq. 4. Clamped: off centre the paper's form falls below 0 beyond 0.55 of the diagonal. The
-/// distance counts from the edge of the disc in which the gaze may be; a sure gaze has none.
+/// Eq. 4. Clamped: off centre the paper's form falls below 0 beyond 0.55 of the diagonal. The distance
+/// is to the disc in which the gaze may be, whose radius is 0 where the gaze is certain.
 float peripheryFactor(vec2 pixelCenter, ImportanceSettings s) {
-  float away = max(0.0, distance(pixelCenter, frame.gaze.xy) - frame.gaze.z);
-  float x = 2.0 * away / (1.1 * length(frame.size.xy));
+  float away = max(0.0, distance(pixelCenter, frame.gaze) - frame.gazeSpread);
+  float x = 2.0 * away / (1.1 * length(frame.size));
   return clamp(1.0 - pow(x, s.periphery), 0.0, 1.0);
 }
 

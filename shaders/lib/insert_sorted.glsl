@@ -6,16 +6,16 @@ void addToTail(uint slot, Fragment fragment) {
 }
 #endif
 
-/// Whether the slots are full of nearer fragments. Their last depth only ever comes nearer, so an
-/// answer of yes stays true, and the fragment need not be shaded; no holds only while nobody else
-/// writes.
+/// Whether the slots are full of nearer fragments. Their last depth only ever comes nearer, so `true`
+/// stays true, and the fragment need not be shaded; `false` holds only while no other fragment of the
+/// pixel is stored.
 bool isRejected(PixelSlots slots, uint fill, uvec2 key) {
   return fill == slots.capacity && (fill == 0u || isBehind(key, slots.first + fill - 1u));
 }
 
-/// Insertion sort by one element; the farthest falls out where the slots are full, into the tail
-/// where there is one.
-/// @param fill slots in use, known not to be full of nearer fragments
+/// Insertion sort by one element. Where the slots are full, the farthest fragment is evicted, into the
+/// tail where there is one.
+/// @param fill slots in use; isRejected() is false
 void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
   uint slot = fill;
   if (fill == slots.capacity) {
@@ -34,13 +34,13 @@ void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
   storeFragment(slots.first + slot, fragment);
 #ifdef FRONT_NORMAL
 #ifdef TAIL_DYNAMIC
-  // What may yet go into a tail is nobody's front.
+  // A fragment that may yet be merged into a tail is not the front one.
   bool isFront = slot == 0u && (slots.tail || slots.capacity > TAIL_SLOTS);
 #else
   bool isFront = slot == 0u;
 #endif
   if (isFront) {
-    // The geometric normal: one of a normal map would make the importance speckle.
+    // The geometric normal: that of a normal map would make the importance noisy.
     imageStore(frontNormal, p, vec4(geometricNormalAt(materials[inIds.x]), 1.0));
   }
 #endif
@@ -66,7 +66,8 @@ void beginTail(ivec2 p, inout PixelSlots slots, inout uint fill) {
 }
 #endif
 
-/// Looks again at what others may have stored meanwhile, and keeps, merges or drops the fragment.
+/// Reads the slots again, which other fragments may have changed meanwhile, and stores, merges or drops
+/// the fragment.
 void insertIfNearer(ivec2 p, PixelSlots slots, Fragment fragment) {
   uint fill = imageLoad(fragmentFill, p).r;
 #ifdef TAIL_DYNAMIC

@@ -1,6 +1,6 @@
-// Light that leaves a surface point towards the eye. The one set of functions for opaque and
-// transparent surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound.
-// DEMODULATE: what is proportional to the base colour comes out apart, too.
+// Light that leaves a surface point towards the eye: the same functions for opaque and transparent
+// surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound.
+// DEMODULATE: the part that is proportional to the base colour is also returned separately.
 #include "lib/brdf.glsl"
 #include "lib/surface.glsl"
 #include "shared/bindings.h"
@@ -21,8 +21,8 @@ layout(binding = TEX_ENVIRONMENT) uniform sampler2D environmentMap;
 
 /// Percentage-closer filtering (Reeves et al. 1987) over SHADOW_TAPS x SHADOW_TAPS bilinear
 /// comparisons.
-/// @param normal the geometric one: along that of a normal map the receiver might stay within reach
-/// of its own surface
+/// @param normal the geometric one: moved along that of a normal map, the receiver might still shadow
+/// itself
 float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
   float texel = 1.0 / float(textureSize(shadowMap, 0).x);
   // Moving the receiver along its normal by some texels of the map hides self-shadowing; more at
@@ -114,12 +114,13 @@ vec3 irradianceAt(vec3 position, vec3 normal) {
   return sum;
 }
 
-/// What one surface point sends to the eye, specular apart so that transparency can weigh it.
+/// Radiance of a surface point towards the eye, specular separately so that transparency can weight
+/// it.
 struct Radiance {
   vec3 diffuse;
   vec3 specular;
 #ifdef DEMODULATE
-  vec3 perColor;  // of both what is proportional to the base colour, over that colour
+  vec3 perColor;  // the part of both that is proportional to the base colour, divided by it
 #endif
 };
 
@@ -160,7 +161,7 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
 #else
   vec3 mirror = lights.ambient.rgb;
 #endif
-  // The fit exceeds 1 by some percent at grazing angles, where no light is left for the inside.
+  // The fit exceeds 1 by some percent at grazing angles, where no light is left to enter.
   sum.diffuse += r.diffuse * max(1.0 - reflected, 0.0) * ambientRadiance(s.normal) * s.occlusion;
   sum.specular += reflected * mirror * s.occlusion;
 #ifdef DEMODULATE

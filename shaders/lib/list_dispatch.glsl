@@ -1,5 +1,5 @@
 // Indirect dispatches over lists that grow. Needs the buffer `totals`, whose `dispatches` hold the
-// work-groups of each list in x, y and z, as glDispatchComputeIndirect takes them, and its entries in w.
+// work-groups of each list in x, y and z, as glDispatchComputeIndirect takes them, and in w its entries.
 #include "shared/dispatch.h"
 
 /// Makes a list's dispatch large enough for so many work-groups.

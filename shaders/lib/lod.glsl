@@ -1,5 +1,5 @@
-// Where the samples of the resized image lie, and what one of them holds. A cell is what one sample
-// stands for: one texel of the resized image L, or a square of them where shading is foveated.
+// Where the samples of the reduced-rate image lie, and what one of them holds. A cell is what one sample
+// stands for: one texel of the reduced-rate image L, or a square of them where shading is foveated.
 #include "lib/half.glsl"
 #include "lib/raster.glsl"
 #include "shared/lod_totals.h"
@@ -7,11 +7,11 @@
 /// Full-rate pixel whose G-buffer texel lies at the middle of a cell, per axis.
 /// @param pitch full-rate pixels a cell
 ivec2 samplePixel(ivec2 cell, float pitch) {
-  return pixelAt(cell, vec2(pitch), ivec2(frame.size.xy));
+  return pixelAt(cell, vec2(pitch), ivec2(frame.size));
 }
 
 /// Cells of 2^level texels a side that cover L.
-ivec2 cellsOf(int level) { return (frame.lodSize.xy + (1 << level) - 1) >> level; }
+ivec2 cellsOf(int level) { return (frame.lodTexels + (1 << level) - 1) >> level; }
 
 /// Level of a tile next to the one of which `around` was read, or of itself: two bits each.
 /// @param offset -1 to 1 tiles
@@ -84,7 +84,7 @@ vec4 fittedWeights(vec4 tent, vec4 fit, out bool fits) {
 }
 
 /// 1 / distance along the view of a reversed depth.
-float inverseDistanceOf(float depth) { return depth * frame.depth.x + frame.depth.y; }
+float inverseDistanceOf(float depth) { return depth * frame.depthScale + frame.depthOffset; }
 
 /// Distance from the tangent plane at which a sample fits half as well, in pixels a pixel between
 /// the two.
@@ -101,7 +101,7 @@ struct TangentPlane {
 };
 
 TangentPlane tangentPlaneAt(ivec2 p, float inverseDistance, vec3 normal) {
-  vec2 step = 2.0 * frame.size.zw;
+  vec2 step = 2.0 * frame.inverseSize;
   vec2 ndc = (vec2(p) + 0.5) * step - 1.0;
   // n . ray is linear over the screen, and z n . ray is the same all over a plane.
   vec2 gradient = vec2(dot(normal, frame.right.xyz) * step.x, dot(normal, frame.up.xyz) * step.y);

@@ -1,7 +1,7 @@
 // The glTF material at a fragment of the scene. TEXTURED: the run has textures bound. LIT with
-// VERTEX_LIGHT: light came from the vertices, and there is no normal. UV_ONLY: nothing but the base
-// colour is wanted. POSITION_ONLY: nothing at all, or, WITH_IDS, ids. HOLED: where alpha says so a
-// fragment is not there; a pass asks isThere() before anything else.
+// VERTEX_LIGHT: light comes from the vertices, and there is no normal. UV_ONLY: only the base colour is
+// used. POSITION_ONLY: nothing is, or, WITH_IDS, ids. HOLED: alpha can make a hole of a fragment; a pass
+// calls isThere() before anything else.
 #include "lib/scene.glsl"
 #include "lib/surface.glsl"
 
@@ -71,8 +71,8 @@ vec4 findBaseColor(MaterialData m) {
 #ifdef HOLED
 vec4 foundBaseColor;
 
-/// Whether a fragment adds something; its one definition. All passes ask this one function, and it
-/// takes textures by explicit gradients in all of them, so that they agree.
+/// Whether a fragment contributes to the image. All passes call this one function, and it samples
+/// textures with explicit gradients in all of them, so that they agree.
 bool isThere() {
 #ifdef TEXTURED
   prepareGradients();
@@ -88,7 +88,7 @@ vec4 baseColorAt(MaterialData m) { return findBaseColor(m); }
 #endif
 
 #ifndef UV_ONLY
-/// 1 where the front of the surface is seen, else -1. Single-sided runs show front faces only; for
+/// 1 where the front of the surface is visible, else -1. Single-sided runs show front faces only; for
 /// the others a mirroring transform swaps the sides.
 float facing(MaterialData m) {
   bool front = (m.flags.x & MATERIAL_DOUBLE_SIDED) == 0u || gl_FrontFacing == (inMirror > 0.0);

@@ -1,6 +1,6 @@
-// What a network said of the pixels of a tile, up to eight values as half floats, all 0 where nothing
-// transparent covers it; and what lies between tiles.
-// NETWORK_TILE: pixels a side of a tile, for who reads.
+// Output of a network for a tile of pixels, up to eight values as half floats, all 0 where nothing
+// transparent covers it; and its interpolation between tiles.
+// NETWORK_TILE: pixels a side of a tile, for shaders that read it.
 #include "lib/frame.glsl"
 #include "lib/half.glsl"
 #include "shared/bindings.h"
@@ -24,14 +24,14 @@ NetworkOutput outputOf(ivec2 tile) {
                        vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
 }
 
-/// Bilinear between the middles of tiles; empty ones say nothing. A covered pixel's own tile is
-/// never empty and never far.
+/// Bilinear between the middles of tiles, without the empty ones. A covered pixel's own tile is never
+/// empty and never far.
 NetworkOutput outputAt(ivec2 p) {
 #if NETWORK_TILE == 1
   return outputOf(p);
 #else
-  // Of this frame: the texture is as large as full rate needs.
-  ivec2 last = (ivec2(frame.size.xy) - 1) / NETWORK_TILE;
+  // The last tile of this frame: the texture is as large as full rate needs.
+  ivec2 last = (ivec2(frame.size) - 1) / NETWORK_TILE;
   vec2 place = (vec2(p) + 0.5) / float(NETWORK_TILE) - 0.5;
   ivec2 corner = ivec2(floor(place));
   vec2 f = place - vec2(corner);

@@ -24,7 +24,7 @@ float ambientOcclusion(vec3 position, vec3 normal, float radius, int samples) {
     vec4 clip = frame.viewProjection * vec4(position + toPoint, 1.0);
     vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
     float depth = textureLod(depthTexture, uv, 0.0).r;
-    float behind = clip.w - 1.0 / (depth * frame.depth.x + frame.depth.y);
+    float behind = clip.w - 1.0 / (depth * frame.depthScale + frame.depthOffset);
     // What stands far before the point does not occlude it: there is air between.
     float near = clamp(2.0 - behind / radius, 0.0, 1.0);
     occluded += behind > kSurfaceShare * radius ? near : 0.0;

@@ -1,5 +1,6 @@
-// Depth intervals of a pixel, from its nearest to its farthest transparent fragment: 32 of them to a
-// word of its map. Equal steps of the depth's bits: finer where it is near, and whole numbers.
+// Depth intervals of a pixel between its nearest and its farthest transparent fragment (Vasilakis 2015,
+// section 2): 32 of them to a word of its bit map. They are equal steps of the depth's bits, so that near
+// intervals are finer and the arithmetic is exact in integers.
 // RANGES: slots from the table.
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
@@ -16,12 +17,12 @@ struct DepthIntervals {
   float perBit;  // intervals in one step of the bits
 };
 
-/// Slots of a pixel that has more fragments than those; 0 where all of them fit.
+/// Slots of a pixel that has more fragments than slots; 0 where all of them fit.
 uint slotsIfCrowded(ivec2 p) {
 #ifdef RANGES
   uint k = slotsOf(imageLoad(fragmentRange, p).rg).capacity;
 #else
-  uint k = frame.oit.x;
+  uint k = frame.pixelSlots;
 #endif
   return texelFetch(fragmentCount, p, 0).r > float(k) ? k : 0u;
 }
@@ -30,12 +31,12 @@ DepthIntervals intervalsAt(ivec2 p) {
   vec2 range = texelFetch(depthRange, p, 0).rg;
   uint nearest = floatBitsToUint(range.x);
   uint farthest = floatBitsToUint(-range.y);
-  return DepthIntervals(nearest, float(32u * frame.oit.w) / float(nearest - farthest + 1u));
+  return DepthIntervals(nearest, float(32u * frame.occupancyWords) / float(nearest - farthest + 1u));
 }
 
-/// The same for the same depth wherever it is asked, and never falling as depth grows.
+/// Deterministic in the depth, and never falling as depth grows.
 uint intervalOf(DepthIntervals d, uint depthBits) {
-  return min(uint(float(d.nearest - depthBits) * d.perBit), 32u * frame.oit.w - 1u);
+  return min(uint(float(d.nearest - depthBits) * d.perBit), 32u * frame.occupancyWords - 1u);
 }
 
-uint firstWord(ivec2 p) { return uint(p.y * int(frame.size.x) + p.x) * frame.oit.w; }
+uint firstWord(ivec2 p) { return uint(p.y * int(frame.size.x) + p.x) * frame.occupancyWords; }

@@ -1,8 +1,8 @@
-// What a transparent layer is likely to look like, for predictions: without shadows, highlights,
-// reflections and normal maps, but enough to tell how colours differ. LIT: the run's materials are lit.
+// Approximate colour of a transparent layer, for predictions: without shadows, highlights, reflections
+// and normal maps, but with how colours differ. LIT: the run's materials are lit.
 
 /// @param base colour and alpha before the alpha mode
-/// @param light radiance that a white diffuse surface sends on; of no use where not LIT
+/// @param light radiance that a white diffuse surface reflects; unused where not LIT
 /// @return radiance and coverage, premultiplied
 vec4 predictedLayer(MaterialData m, vec4 base, vec3 light) {
 #ifdef LIT

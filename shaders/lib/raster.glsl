@@ -1,4 +1,4 @@
-// Where the samples of a coarser raster lie in the image.
+// Places of the samples of a coarser raster in the image.
 #ifndef MACULA_RASTER_GLSL
 #define MACULA_RASTER_GLSL
 

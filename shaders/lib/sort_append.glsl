@@ -1,7 +1,7 @@
 // Sorting of fragments that were stored in any order, and their composition. For oit/resolve.comp.
 
-/// Insertion sort of (key, slot) in a local array of SIZE entries. A small array for most pixels:
-/// the size of local arrays bounds how many threads a GPU keeps in flight (Lefebvre et al. 2014).
+/// Insertion sort of (key, slot) in a local array of SIZE entries. Most pixels use the small one, because
+/// the size of local arrays limits how many threads a GPU keeps in flight (Lefebvre et al. 2014).
 #define DEFINE_SORT(NAME, SIZE)                                        \
   void NAME(inout Composite c, uint begin, uint n) {                   \
     uvec2 sortedKeys[SIZE];                                            \
@@ -37,8 +37,8 @@ void siftDown(uint begin, uint node, uint n) {
   }
 }
 
-/// Heap sort in place (Williams 1964): no array, and n log n steps, because a software rasteriser
-/// ends a shader's loops after 65,535 of them.
+/// Heap sort in place (Williams 1964): no array, and n log n iterations, because llvmpipe ends a loop
+/// after 65,535 of them.
 void compositeDeep(inout Composite c, uint begin, uint n) {
   for (uint node = n / 2u; node > 0u; --node) siftDown(begin, node - 1u, n);
   for (uint last = n - 1u; last > 0u; --last) {

@@ -1,6 +1,6 @@
 // Merge sort of a pixel's linked list in place (bottom-up, after Knuth 1998, section 5.2.4): no array,
-// whatever the length, and n log n steps, because a software rasteriser ends a shader's loops after
-// 65,535 of them. For oit/resolve.comp.
+// whatever the length, and n log n iterations, because llvmpipe ends a loop after 65,535 of them. For
+// oit/resolve.comp.
 
 bool isLinkNearer(uint a, uint b) { return isNearer(keys[a - 1u], keys[b - 1u]); }
 

@@ -1,4 +1,4 @@
-// Where the sums of strips and rows stand: strip after strip, row after row, then a sum for each row.
+// Layout of the strip sums: strip after strip, row after row, then a sum for each row.
 
 uint stripsPerRow() { return (uint(frame.size.x) + uint(STRIP) - 1u) / uint(STRIP); }
 uint stripIndex(ivec2 p) { return uint(p.y) * stripsPerRow() + uint(p.x / STRIP); }

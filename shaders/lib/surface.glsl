@@ -31,20 +31,20 @@ vec3 decodeOctahedral(vec2 e) {
   return normalize(n);
 }
 
-/// What the G-buffer says of a surface beside its material's numbers.
+/// What the G-buffer stores of a surface besides its material parameters.
 struct SurfaceKind {
   bool unlit;
   uint veins;            // number of its veins plus one, 0 for none
-  vec3 geometricNormal;  // of no use where not mapped
+  vec3 geometricNormal;  // undefined where not mapped
   bool mapped;           // a normal map turned the normal away from it
 };
 
-/// Four bits: more than numbers of veins.
+/// Four bits: more than MAX_VEINS.
 const uint kUnlitKind = 15u;
-/// Six bits an axis. The geometric normal is needed to move shadow lookups off the surface by two
-/// texels of the map or so; an error of 2 degrees moves them by less than a tenth of a texel.
+/// Six bits an axis. The geometric normal moves shadow lookups off the surface by about two texels of
+/// the map; an error of 2 degrees changes that by less than a tenth of a texel.
 const float kNormalSteps = 31.0;
-/// No place on the octahedron: the normal itself is the geometric one.
+/// Encodes no direction: the normal itself is the geometric one.
 const uint kNotMapped = 63u;
 
 /// Two bytes as 0..1.

@@ -1,4 +1,4 @@
-// From linear radiance to what a display shows. TONEMAP: 0 none, 1 neutral, 2 ACES.
+// From linear radiance to display values. TONEMAP: 0 none, 1 neutral, 2 ACES.
 
 vec3 tonemap(vec3 c) {
 #if TONEMAP == 1

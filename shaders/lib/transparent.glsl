@@ -1,7 +1,7 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
-// LIT: the run's materials are lit. VERTEX_LIGHT: a cheap guess of both instead, for predictions,
-// with light from the vertices, and without textures and tests of alpha (TEXTURED, HOLED) the whole
-// layer from there.
+// LIT: the run's materials are lit. VERTEX_LIGHT: a cheap approximation of both instead, for
+// predictions, with light from the vertices; without textures and alpha tests (TEXTURED, HOLED) the
+// whole layer comes from the vertices.
 #include "lib/frame.glsl"
 #if defined(VERTEX_LIGHT) && !defined(TEXTURED) && !defined(HOLED)
 layout(location = 3) in vec4 inFrontLayer;
@@ -17,9 +17,9 @@ vec4 approximateTransparent() { return gl_FrontFacing ? inFrontLayer : inBackLay
 
 #if !defined(LIT) || !defined(VERTEX_LIGHT)
 /// KHR_materials_transmission as a thin tinted sheet without refraction. The light behind is scaled
-/// by one number, the least channel of the tint, because a layer stores one alpha; what the other
-/// channels let through in addition is approximated by the ambient radiance. It is exact where the
-/// background equals that.
+/// by one number, the least channel of the tint, because a layer stores one alpha. The light that the
+/// other channels transmit in addition is approximated by the ambient radiance, which is exact where the
+/// background equals it.
 vec4 shadeTransparent() {
   MaterialData m = materials[inIds.x];
   SurfacePoint s = surfaceAt(m);

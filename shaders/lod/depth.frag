@@ -1,4 +1,4 @@
-// Opaque depth of a texel of the resized image: that of the pixel at its middle. No colour yet.
+// Opaque depth of a texel of the reduced-rate image: that of the pixel at its middle. No colour yet.
 #include "lib/raster.glsl"
 #include "shared/bindings.h"
 

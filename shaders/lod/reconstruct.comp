@@ -1,4 +1,4 @@
-// Full-rate pixels from the samples of the resized image: the weighted mean of the 2x2 samples
+// Full-rate pixels from the samples of the reduced-rate image: the weighted mean of the 2x2 samples
 // around each (Yang, Sander & Lawrence 2008, Eq. 1).
 // BILINEAR: weights by distance in the image alone. YANG2008: and by Gaussians of the differences in
 // normal and depth. Else: and by how well a sample fits the pixel's tangent plane and normal.
@@ -51,11 +51,11 @@ Taps tapsAround(ivec2 p) {
   int level = 0;
 #ifdef FOVEATED
   // Samples are 2^level texels apart in a tile of L.
-  ivec2 tile = min(ivec2((vec2(p) + 0.5) * frame.resize.y), frame.lodSize.xy - 1) >> LOD_TILE_SHIFT;
+  ivec2 tile = min(ivec2((vec2(p) + 0.5) * frame.inversePitch), frame.lodTexels - 1) >> LOD_TILE_SHIFT;
   uint around = texelFetch(shadingRate, tile, 0).r;
   level = levelAround(around, ivec2(0));
 #endif
-  float pitch = frame.resize.x * float(1 << level);
+  float pitch = frame.pitch * float(1 << level);
   ivec2 last = cellsOf(level) - 1;
   // Samples lie at pixels, up to half a pixel off the even grid. The cell whose middle is at most the
   // pixel's has its sample at or before it; the next one has its at or behind it.
@@ -72,11 +72,11 @@ Taps tapsAround(ivec2 p) {
     taps.pixels[i] = ivec2((i & 1) != 0 ? to.x : from.x, (i & 2) != 0 ? to.y : from.y);
 #ifdef FOVEATED
     // In the next tile, where samples may be denser or sparser: the cell around this place.
-    ivec2 place = min(texel + (1 << level >> 1), frame.lodSize.xy - 1);
+    ivec2 place = min(texel + (1 << level >> 1), frame.lodTexels - 1);
     int there = levelAround(around, (place >> LOD_TILE_SHIFT) - tile);
     cell = place >> there;
     texel = cell << there;
-    taps.pixels[i] = samplePixel(cell, frame.resize.x * float(1 << there));
+    taps.pixels[i] = samplePixel(cell, frame.pitch * float(1 << there));
 #endif
     taps.texels[i] = texelFetch(lodSamples, texel, 0);
   }
@@ -84,7 +84,7 @@ Taps tapsAround(ivec2 p) {
 }
 
 /// The far plane is the background.
-bool isSurface(uvec4 texel) { return uintBitsToFloat(texel.z) > frame.depth.y; }
+bool isSurface(uvec4 texel) { return uintBitsToFloat(texel.z) > frame.depthOffset; }
 
 #ifdef YANG2008
 /// Normal as seen from the camera, over its z (Toler-Franklin et al. 2007).

@@ -1,12 +1,14 @@
-// Slots of each pixel and where they begin: contiguous ranges handed out by one cursor, one atomic
-// a strip.
-// ALLOCATION_EXACT: k = n. ALLOCATION_ONE_K: the same k for all, at most n. ALLOCATION_IMPORTANCE:
-// k from the importance map under the budget.
+// Number of slots of each pixel, k(p), and where they begin: contiguous ranges, allocated by one atomic
+// cursor, with one atomic addition a strip.
+// ALLOCATION_EXACT: k = n. ALLOCATION_ONE_K: k = min(n, k of the image) (Vasilakis and Fudos 2014).
+// ALLOCATION_IMPORTANCE (Vasilakis 2017, Eq. 1, changed so that the sum stays within the budget M and
+// no covered pixel is left empty where M is at least the number C of them):
+//   k = max(1, floor(I (M - Z) / sum I)), Z pixels whose floor(I (M - C) / sum I) is 0 (oit/reserve.comp)
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
 #include "lib/frame.glsl"
-#include "lib/hand_out.glsl"
+#include "lib/slot_range.glsl"
 #include "lib/budget.glsl"
 
 layout(binding = TEX_INPUT0) uniform sampler2D fragmentCount;
@@ -16,11 +18,11 @@ layout(r32ui, binding = IMG_2) readonly uniform uimage2D importance;
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 #ifdef ALLOCATION_IMPORTANCE
-/// With fewer slots than covered pixels: the strip's fair share of them goes to its most important
-/// pixels, one layer each. The shares are rounded down, so their sum stays within the budget.
-/// Rank: pixels of the strip that are more important, or as important and further left.
+/// Whether a pixel gets a layer where there are fewer slots than covered pixels: the strip's share of
+/// the slots goes to its most important pixels, one layer each. Shares are rounded down, so their sum
+/// stays within the budget.
 bool winsOneLayer(ivec2 p, ivec2 first, int end, uint own, uint stripSlots) {
-  uint rank = 0u;
+  uint rank = 0u;  // pixels of the strip that are more important, or as important and further left
   for (ivec2 q = first; q.x < end; ++q.x) {
     if (texelFetch(fragmentCount, q, 0).r == 0.0 || q.x == p.x) continue;
     uint other = imageLoad(importance, q).r;
@@ -33,7 +35,7 @@ bool winsOneLayer(ivec2 p, ivec2 first, int end, uint own, uint stripSlots) {
 void main() {
   ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
   int end = min(first.x + STRIP, int(frame.size.x));
-  uint slots = frame.oit.y;
+  uint slots = frame.slots;
   uint layers[STRIP];
   uint sum = 0u;
 #ifdef ALLOCATION_IMPORTANCE
@@ -78,7 +80,7 @@ void main() {
     if (k == 0u) continue;
     // Exact allocation may ask for more than the pool holds: what does not fit gets no slot.
     uint fits = begin < slots ? min(k, slots - begin) : 0u;
-    handOut(p, uint(texelFetch(fragmentCount, p, 0).r), begin, fits);
+    storeRange(p, uint(texelFetch(fragmentCount, p, 0).r), begin, fits);
     begin += k;
   }
 }

@@ -1,4 +1,4 @@
-// Transparent fragments in the order in which they are drawn.
+// Transparent fragments for blending in draw order.
 #include "lib/half.glsl"
 #include "lib/transparent.glsl"
 

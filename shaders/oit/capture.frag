@@ -1,10 +1,11 @@
 // Stores transparent fragments in their pixel's slots.
 // INSERTION_APPEND: in any order, sorted at the resolve. INSERTION_LINKED: the same, as a list.
-// INSERTION_SORTED: the nearest, in order. TAIL_IN_SLOT: the rest is summed behind them.
-// TAIL_DYNAMIC: the tail begins when the slots are full, because nobody knew how many would come.
-// INSERTION_ATOMIC: the keys stand already; colours go to theirs. TAIL_DENSE: the rest is summed by
-// blending. SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread.
-// SYNC_INTERLOCK, SYNC_SPINLOCK: critical sections. SYNC_NONE: hazards on purpose.
+// INSERTION_SORTED: the nearest, in order. TAIL_IN_SLOT: the others are summed in a tail behind them.
+// TAIL_DYNAMIC: the tail begins when the slots are full, because the number of fragments was not known.
+// INSERTION_ATOMIC: keys were stored before (oit/atomic_keys.frag); each colour goes to its key.
+// TAIL_DENSE: the others are summed by blending.
+// Per-pixel ordering: SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread.
+// SYNC_INTERLOCK, SYNC_SPINLOCK: mutual exclusion. SYNC_NONE: hazards on purpose.
 // COUNT_OUT: also counts fragments by blending, for the next frame.
 #if defined(SYNC_INTERLOCK) && defined(INSERTION_SORTED)
 layout(pixel_interlock_ordered) in;
@@ -49,7 +50,7 @@ PixelSlots pixelSlots(ivec2 p) {
 #ifdef RANGES
   return slotsOf(imageLoad(fragmentRange, p).rg);
 #else
-  return PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.oit.x, frame.oit.x, false);
+  return PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.pixelSlots, frame.pixelSlots, false);
 #endif
 }
 
@@ -74,7 +75,7 @@ void keep(ivec2 p, PixelSlots slots, uvec2 key) {
 /// fragmentFill holds the head of the pixel's list: the number of a link plus one; 0 ends a list.
 void keep(ivec2 p, PixelSlots slots, uvec2 key) {
   uint link = atomicAdd(totals.cursor, 1u);
-  if (link >= frame.oit.y) return;  // the pool is full: counted, the frame is flagged inexact
+  if (link >= frame.slots) return;  // the pool is full: counted, the frame is flagged inexact
   storeFragment(link, makeFragment(key, shadeTransparent()));
 #ifdef SYNC_ORDERED
   links[link] = imageLoad(fragmentFill, p).r;

@@ -1,6 +1,6 @@
 // Counts fragments by additive blending: fixed function, no atomics.
 // RANGE: also the nearest and the farthest depth, by maximum blending.
-// HOLED: where alpha says so a fragment is not there.
+// HOLED: fragments whose alpha makes a hole are not counted.
 #include "lib/material.glsl"
 
 layout(location = 0) out float count;

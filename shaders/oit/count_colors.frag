@@ -1,5 +1,5 @@
-// Counts fragments, and gathers what the thesis's network sees of them, all by blending: the sum of
-// their colours, the nearest and the farthest depth, the colour of the nearest.
+// Counts fragments and gathers features of the thesis's network, all by blending: the sum of their
+// colours, the nearest and the farthest depth, the colour of the nearest (Tsopouridis 2021, section 4.2).
 layout(early_fragment_tests) in;
 
 #include "lib/oit.glsl"

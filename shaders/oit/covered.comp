@@ -1,7 +1,7 @@
-// Lists what transparent fragments cover, for passes whose work would be in vain elsewhere. A thread
+// Lists the places that transparent fragments cover, so that later passes skip all others. A thread
 // walks a strip of places and adds to the list once.
-// LISTED_TILE: places are tiles of so many samples a side. SAMPLED: places are cells, of each of which
-// one pixel is looked at and listed.
+// LISTED_TILE: places are tiles of so many samples a side. SAMPLED: places are cells; one pixel of each
+// is tested and listed.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -16,14 +16,15 @@ layout(std430, binding = SSBO_COVERED) writeonly buffer Covered { uint covered[]
 
 #ifdef SAMPLED
 const int kList = LIST_OF_SAMPLES;
-int placeSide() { return int(frame.oit.z); }
+int placeSide() { return int(frame.sampledCellSide); }
 
-/// A place in the cell that changes from cell to cell, so that no pattern of the scene is met.
+/// A pixel of the cell, at a place that changes from cell to cell: a regular grid could coincide with a
+/// pattern of the scene.
 ivec2 entryOf(ivec2 cell) {
   int side = placeSide();
   uint h = hashPcg(uint(cell.x) + hashPcg(uint(cell.y)));
   ivec2 p = cell * side + ivec2(int(h >> 8) % side, int(h >> 20) % side);
-  return min(p, ivec2(frame.size.xy) - 1);
+  return min(p, ivec2(frame.size) - 1);
 }
 
 bool isCovered(ivec2 cell) { return texelFetch(fragmentCount, entryOf(cell), 0).r > 0.0; }
@@ -33,7 +34,7 @@ int placeSide() { return LISTED_TILE; }
 ivec2 entryOf(ivec2 tile) { return tile; }
 
 bool isCovered(ivec2 tile) {
-  ivec2 last = ivec2(frame.size.xy) - 1;
+  ivec2 last = ivec2(frame.size) - 1;
   float most = 0.0;
   for (int i = 0; i < LISTED_TILE * LISTED_TILE; ++i) {
     ivec2 p = tile * LISTED_TILE + ivec2(i % LISTED_TILE, i / LISTED_TILE);

@@ -1,11 +1,12 @@
-// The farthest depth that can still be among the k nearest: k occupied intervals from the eye on hold
-// at least k fragments (Vasilakis 2015, Lemma 2.1). Leaves the map empty for the next frame.
+// The farthest depth that can still be among the k nearest: the first k occupied intervals hold at least
+// k fragments (Vasilakis 2015, Lemma 2.1). Leaves the bit map empty for the next frame, which is cheaper
+// than to clear all of it.
 #include "lib/occupancy.glsl"
 
 layout(binding = TEX_INPUT2) uniform sampler2D opaqueDepth;
 
-/// Steps of the depth's bits by which the bound lies farther than the interval's end: the float in
-/// intervalOf() holds 24 bits of the 30 that two depths can differ in, so an end is up to 64 off, and
+/// Steps of the depth's bits by which the bound lies behind the interval's end: the float in
+/// intervalOf() holds 24 of the 30 bits in which two depths can differ, so an end is up to 64 off, and
 /// the division here as much again.
 const uint kRounding = 256u;
 
@@ -17,8 +18,8 @@ void main() {
   if (k == 0u) return;
   uint first = firstWord(p);
   uint occupied = 0u;
-  uint last = 32u * frame.oit.w;  // the interval in which the k-th bit stands
-  for (uint i = 0u; i < frame.oit.w; ++i) {
+  uint last = 32u * frame.occupancyWords;  // the interval in which the k-th bit stands
+  for (uint i = 0u; i < frame.occupancyWords; ++i) {
     uint word = occupancy[first + i];
     if (word == 0u) continue;
     occupancy[first + i] = 0u;

@@ -1,5 +1,5 @@
-// All fragments of the image, the pixels that they cover, and how near and far they reach, for features
-// that compare a pixel with its scene. A thread walks a strip of pixels and adds to the totals once.
+// Totals of the image for the features of the thesis's network: number of fragments, covered pixels,
+// nearest and farthest depth. A thread walks a strip of pixels and adds to the totals once.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 

@@ -1,5 +1,5 @@
-// How many pixels have n fragments, for the one k of kb-plus (Vasilakis and Fudos 2014). A thread
-// walks a strip and counts runs of equal n, so that even images cost few atomics.
+// Histogram of the pixels' numbers of fragments, for the one k of kb-plus (Vasilakis and Fudos 2014). A
+// thread walks a strip and counts runs of equal n, so that even images cost few atomics.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 

@@ -18,7 +18,7 @@ layout(location = 1) uniform uint noiseSeed;
 
 vec3 toEyeAt(vec2 pixelCenter) {
   // Any depth on the ray will do.
-  vec4 p = frame.inverseViewProjection * vec4(pixelCenter * frame.size.zw * 2.0 - 1.0, 0.5, 1.0);
+  vec4 p = frame.inverseViewProjection * vec4(pixelCenter * frame.inverseSize * 2.0 - 1.0, 0.5, 1.0);
   return normalize(frame.eye.xyz - p.xyz / p.w);
 }
 
@@ -31,10 +31,10 @@ void main() {
   uint countMax = 0u;
   for (ivec2 p = first; p.x < end; ++p.x) {
     float count = texelFetch(fragmentCount, p, 0).r;
-    // What the last frame left stays, so that a pixel with no slot but its tail's, which finds no
-    // nearest fragment, does not lose and regain its normal from frame to frame.
+    // The normal of the last frame stays until another is stored: a pixel whose only slot is its
+    // tail's stores none, and would otherwise lose and regain its normal from frame to frame.
     vec4 normal = imageLoad(frontNormal, p);
-    if (normal.w > 0.0 && (count == 0.0 || frame.frame.y == 0u)) {
+    if (normal.w > 0.0 && (count == 0.0 || frame.historyValid == 0u)) {
       normal = vec4(0.0);
       imageStore(frontNormal, p, normal);
     }

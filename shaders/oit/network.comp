@@ -1,5 +1,6 @@
-// A network of importance, evaluated once for each covered tile from the features of its deepest pixel:
-// where it matters most, and a fraction of the work of a mean over the tile, which was hardly better.
+// Evaluates a network of importance once for each covered tile, from the features of the tile's deepest
+// pixel: errors are largest there, and the mean of all its pixels was hardly better for many times the
+// work.
 // MODEL_THESIS, MODEL_LEARNED: which features. FEATURES_OUT: write each pixel's features instead of
 // evaluating. PROBE: evaluate given features, for the check against the program that trained it.
 #include "shared/dispatch.h"
@@ -35,12 +36,12 @@ layout(rgba32ui, binding = IMG_0) writeonly uniform uimage2D tileOutput;
 #endif
 
 #if !defined(FEATURES_OUT) && !defined(PROBE)
-NetworkOutput outputFrom(float said[OUTPUTS]) {
+NetworkOutput outputFrom(float y[OUTPUTS]) {
 #ifdef MODEL_THESIS
-  return NetworkOutput(vec4(said[0], 0.0, 0.0, 1.0), vec4(0.0));  // never all 0
+  return NetworkOutput(vec4(y[0], 0.0, 0.0, 1.0), vec4(0.0));  // never all 0
 #else
-  vec4 low = vec4(said[0], said[1], said[2], said[3]);
-  vec4 high = vec4(said[4], said[5], said[6], said[7]);
+  vec4 low = vec4(y[0], y[1], y[2], y[3]);
+  vec4 high = vec4(y[4], y[5], y[6], y[7]);
   return NetworkOutput(LEARNED_MOST * tanh(low / LEARNED_MOST), LEARNED_MOST * tanh(high / LEARNED_MOST));
 #endif
 }
@@ -49,15 +50,15 @@ NetworkOutput outputFrom(float said[OUTPUTS]) {
 void main() {
   float x[INPUTS];
 #ifdef PROBE
-  float said[OUTPUTS];
+  float y[OUTPUTS];
   uint at = gl_GlobalInvocationID.x * uint(INPUTS + OUTPUTS);
   if (at + uint(INPUTS + OUTPUTS) > uint(values.length())) return;
   for (int i = 0; i < INPUTS; ++i) x[i] = values[at + uint(i)];
-  evaluateNetwork(x, said);
-  for (int i = 0; i < OUTPUTS; ++i) values[at + uint(INPUTS + i)] = said[i];
+  evaluateNetwork(x, y);
+  for (int i = 0; i < OUTPUTS; ++i) values[at + uint(INPUTS + i)] = y[i];
 #elif defined(FEATURES_OUT)
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 size = ivec2(frame.size.xy);
+  ivec2 size = ivec2(frame.size);
   if (any(greaterThanEqual(p, size))) return;
   float n = texelFetch(fragmentCount, p, 0).r;
   for (int i = 0; i < INPUTS; ++i) x[i] = 0.0;
@@ -65,14 +66,14 @@ void main() {
   uint at = uint(p.y * size.x + p.x) * uint(INPUTS);
   for (int i = 0; i < INPUTS; ++i) values[at + uint(i)] = x[i];
 #else
-  float said[OUTPUTS];
+  float y[OUTPUTS];
   ivec2 tile;
   if (!findCoveredTile(tile)) return;
   float most = 0.0;
   ivec2 deepest = ivec2(0);
   for (int i = 0; i < LISTED_TILE * LISTED_TILE; ++i) {
     ivec2 p = tile * LISTED_TILE + ivec2(i % LISTED_TILE, i / LISTED_TILE);
-    if (any(greaterThanEqual(p, ivec2(frame.size.xy)))) continue;
+    if (any(greaterThanEqual(p, ivec2(frame.size)))) continue;
     float n = texelFetch(fragmentCount, p, 0).r;
     if (n > most) {
       most = n;
@@ -80,7 +81,7 @@ void main() {
     }
   }
   findFeatures(deepest, most, x);
-  evaluateNetwork(x, said);
-  imageStore(tileOutput, tile, encodeOutput(outputFrom(said)));
+  evaluateNetwork(x, y);
+  imageStore(tileOutput, tile, encodeOutput(outputFrom(y)));
 #endif
 }

@@ -1,5 +1,5 @@
-// Importance of each pixel as a network says it, and its sum. A thread walks a strip of pixels and
-// adds to the totals once. FACTORS: also as a number, for heat maps.
+// Importance of each pixel by the network's output, and its sum. A thread walks a strip of pixels and
+// adds to the totals once. FACTORS: also as a float, for heat maps.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -23,14 +23,14 @@ void main() {
   for (ivec2 p = first; p.x < end; ++p.x) {
     float count = texelFetch(fragmentCount, p, 0).r;
     if (count == 0.0) continue;
-    float said = clamp(outputAt(p).low.x, 0.0, 1.0);
-    uint value = uint(said * float(IMPORTANCE_ONE) + 0.5);
+    float predicted = clamp(outputAt(p).low.x, 0.0, 1.0);
+    uint value = uint(predicted * float(IMPORTANCE_ONE) + 0.5);
     sum += value;
     ++covered;
     countMax = max(countMax, uint(count));
     imageStore(importance, p, uvec4(value));
 #ifdef FACTORS
-    imageStore(factors, p, vec4(0.0, 0.0, 0.0, said));
+    imageStore(factors, p, vec4(0.0, 0.0, 0.0, predicted));
 #endif
   }
   if (covered == 0u) return;

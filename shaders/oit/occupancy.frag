@@ -1,4 +1,4 @@
-// Marks the depth interval of a fragment. SYNC_ORDERED: the rasteriser draws a pixel's fragments in
+// Marks the depth interval of a fragment as occupied. SYNC_ORDERED: the rasteriser draws a pixel's fragments in
 // order on one thread; else atomics.
 layout(early_fragment_tests) in;
 

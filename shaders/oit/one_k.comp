@@ -1,5 +1,5 @@
-// The largest k for which all pixels together need no more slots than the budget has: the sum over
-// pixels of min(n, k) grows, from k to k + 1, by the pixels deeper than k.
+// The one k of kb-plus (Vasilakis and Fudos 2014): the largest k with sum over pixels of min(n, k) <= M.
+// From k to k + 1 that sum grows by the number of pixels with more than k fragments.
 #include "shared/oit_constants.h"
 layout(local_size_x = 1) in;
 
@@ -14,11 +14,11 @@ void main() {
   for (int i = 0; i < COUNT_BINS; ++i) deeper += bins[i];
   uint needed = 0u;
   uint k = 0u;
-  while (k < uint(COUNT_BINS) && deeper > 0u && needed + deeper <= frame.oit.y) {
+  while (k < uint(COUNT_BINS) && deeper > 0u && needed + deeper <= frame.slots) {
     needed += deeper;
     deeper -= bins[k];
     ++k;
   }
-  // Where every pixel of every bin fits, pixels beyond the last bin still keep its k.
+  // Pixels beyond the last bin keep its k at most.
   totals.oneLayer = k;
 }

@@ -1,8 +1,8 @@
-// One layer of depth peeling: what lies behind the last layer's (depth, id) and before the opaque
-// surface. STAGE_DEPTH: the nearest depth, by the depth test. STAGE_IDS: the least id at that depth.
-// STAGE_COLOR: the fragment of both.
+// One layer of depth peeling (Everitt 2001): of the fragments behind the last layer's (depth, id) and in
+// front of the opaque surface, STAGE_DEPTH: the nearest depth, by the depth test; STAGE_IDS: the least id
+// at that depth; STAGE_COLOR: the colour of the fragment with both.
 #ifndef STAGE_DEPTH
-layout(early_fragment_tests) in;  // the depth test is for equality; only its winners go on
+layout(early_fragment_tests) in;  // the depth test for equality comes first
 #endif
 
 #include "lib/oit.glsl"
@@ -12,8 +12,10 @@ layout(early_fragment_tests) in;  // the depth test is for equality; only its wi
 layout(location = 0) out vec4 color;
 #endif
 
+#ifndef STAGE_COLOR
 layout(binding = TEX_INPUT0) uniform sampler2D opaqueDepth;
 layout(rg32ui, binding = IMG_0) readonly uniform uimage2D lastKey;
+#endif
 #ifdef STAGE_IDS
 layout(r32ui, binding = IMG_1) uniform uimage2D ids;
 #elif defined(STAGE_COLOR)

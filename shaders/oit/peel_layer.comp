@@ -1,14 +1,17 @@
-// Adds the peeled layer behind those before it. FINISH: puts all of them over the opaque image.
+// Composites the peeled layer behind those before it. FINISH: composites all of them over the opaque
+// image.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
 
-layout(rgba32f, binding = IMG_2) uniform image2D sum;  // colour, transmittance
+// Layers so far: colour, transmittance.
 #ifdef FINISH
+layout(rgba32f, binding = IMG_2) readonly uniform image2D sum;
 layout(rgba16f, binding = IMG_3) uniform image2D hdrColor;
 #else
+layout(rgba32f, binding = IMG_2) uniform image2D sum;
 layout(binding = TEX_INPUT1) uniform sampler2D layerDepth;
 layout(binding = TEX_INPUT2) uniform sampler2D layerColor;
 layout(rg32ui, binding = IMG_0) writeonly uniform uimage2D lastKey;
@@ -21,7 +24,7 @@ void main() {
   vec4 s = imageLoad(sum, p);
 #ifdef FINISH
   if (s == vec4(0.0, 0.0, 0.0, 1.0)) return;
-  // Over the image, whose alpha is 1, or over nothing.
+  // Over the image, whose alpha is 1, or at a reduced rate over nothing.
   vec4 behind = imageLoad(hdrColor, p);
   vec3 color = min(s.rgb + s.a * behind.rgb, vec3(kMaxHalf));
   imageStore(hdrColor, p, vec4(color, 1.0 - s.a * (1.0 - behind.a)));

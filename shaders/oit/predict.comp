@@ -1,6 +1,6 @@
-// The number of a pixel's fragments as the last frame had it where the pixel now looks: reprojected by
-// the depth of its nearest fragment then. Between pixels, the most of the four around; beside
-// a covered pixel, at least one, so that an edge that moves by a pixel still finds a slot.
+// Predicts the number of a pixel's fragments: that of the last frame, reprojected by the depth of the
+// pixel's nearest fragment then. Between pixels, the largest of the four around; beside a covered pixel
+// at least one, so that an edge that moves by a pixel still finds a slot.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
@@ -16,7 +16,7 @@ layout(binding = TEX_INPUT2) uniform usampler2D lastFill;
 layout(binding = TEX_INPUT3) uniform sampler2D opaqueDepth;
 layout(r32f, binding = IMG_0) writeonly uniform image2D predictedCount;
 
-/// Parts of a pixel below which a shift is rounding, and the pixel itself is meant.
+/// Shifts of less than this, in pixels, are taken for rounding.
 const float kStill = 1.0 / 64.0;
 
 float depthOfFront(ivec2 p) {
@@ -25,15 +25,15 @@ float depthOfFront(ivec2 p) {
 }
 
 float countAt(ivec2 p) {
-  return texelFetch(lastCount, clamp(p, ivec2(0), ivec2(frame.size.xy) - 1), 0).r;
+  return texelFetch(lastCount, clamp(p, ivec2(0), ivec2(frame.size) - 1), 0).r;
 }
 
 void main() {
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
   if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
   vec2 center = vec2(p) + 0.5;
-  vec4 clip = frame.reprojection * vec4(center * frame.size.zw * 2.0 - 1.0, depthOfFront(p), 1.0);
-  vec2 last = (clip.xy / clip.w * 0.5 + 0.5) * frame.size.xy - 0.5;
+  vec4 clip = frame.reprojection * vec4(center * frame.inverseSize * 2.0 - 1.0, depthOfFront(p), 1.0);
+  vec2 last = (clip.xy / clip.w * 0.5 + 0.5) * frame.size - 0.5;
   vec2 nearest = round(last);
   last = mix(last, nearest, lessThan(abs(last - nearest), vec2(kStill)));
   ivec2 low = ivec2(floor(last));

@@ -1,5 +1,5 @@
-// Turns the sums of strips into sums of all strips before them. A thread takes a row; then, ROWS: one
-// thread takes all rows, and leaves the sums of the image.
+// Turns the sums of strips into the sums of all strips before them. A thread takes a row; then, ROWS:
+// one thread takes the sums of all rows, and leaves those of the image in the totals.
 #include "shared/oit_constants.h"
 #ifdef ROWS
 layout(local_size_x = 1) in;
@@ -12,7 +12,9 @@ layout(local_size_x = STRIP_GROUP) in;
 #include "lib/strips.glsl"
 
 layout(std430, binding = SSBO_STRIP_SUMS) buffer StripSums { uvec4 stripSums[]; };
+#ifdef ROWS
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
+#endif
 
 void main() {
 #ifdef ROWS
@@ -31,7 +33,7 @@ void main() {
     before += own;
   }
 #ifdef ROWS
-  totals.levels = before;
+  totals.demand = before;
 #else
   stripSums[rowIndex(row)] = before;
 #endif

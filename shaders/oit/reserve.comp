@@ -1,5 +1,5 @@
-// Counts the covered pixels whose share rounds to no layer even when every covered pixel has had
-// one set aside; oit/allocate.comp sets one layer aside for each of them.
+// Counts the covered pixels whose share of M - C slots rounds to no layer, Z of oit/allocate.comp,
+// which reserves one layer for each of them.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -12,8 +12,8 @@ layout(r32ui, binding = IMG_0) readonly uniform uimage2D importance;
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 void main() {
-  uint slots = frame.oit.y;
-  if (slots < totals.covered) return;  // not one layer each: oit/allocate.comp chooses
+  uint slots = frame.slots;
+  if (slots < totals.covered) return;  // not one layer each: oit/allocate.comp selects pixels
   double total = double(totals.importanceHigh) * 4294967296.0lf + double(totals.importanceLow);
   uint least = slots - totals.covered;
   ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));

@@ -1,7 +1,7 @@
 // Composites the stored fragments of each pixel over the opaque image, nearest first.
 // INSERTION_SORTED, INSERTION_ATOMIC: they are in order. INSERTION_APPEND: they are sorted here by
-// (depth, id). INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they stand in the
-// samples of a pixel. TAIL_IN_SLOT, TAIL_DENSE: a layer for what was left out comes behind them.
+// (depth, id). INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they are the samples of a
+// pixel. TAIL_IN_SLOT, TAIL_DENSE: the tail comes behind them.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
@@ -118,12 +118,12 @@ void main() {
   PixelSlots slots = slotsOf(texelFetch(fragmentRange, p, 0).rg);
   if (slots.capacity == 0u && !slots.tail) return;
 #else
-  PixelSlots slots = PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.oit.x, frame.oit.x, false);
+  PixelSlots slots = PixelSlots(uint(p.y * int(frame.size.x) + p.x) * frame.pixelSlots, frame.pixelSlots, false);
 #endif
   Composite c = Composite(vec3(0.0), 1.0);
   compositeStored(c, p, slots);
   if (c.transmittance == 1.0 && c.color == vec3(0.0)) return;
-  // Over the image, whose alpha is 1, or over nothing.
+  // Over the image, whose alpha is 1, or at a reduced rate over nothing.
   vec4 behind = imageLoad(hdrColor, p);
   imageStore(hdrColor, p, vec4(min(c.color + c.transmittance * behind.rgb, vec3(kMaxHalf)),
                                1.0 - c.transmittance * (1.0 - behind.a)));

@@ -1,4 +1,5 @@
-// A fragment for the sample that the stencil test chooses.
+// Stencil-routed k-buffer (Bavoil and Myers 2008): the stencil test selects the sample that stores the
+// fragment.
 #include "lib/oit.glsl"
 #include "lib/transparent.glsl"
 
@@ -7,11 +8,11 @@ layout(location = 1) out vec4 color;
 
 void main() {
 #ifdef HOLED
-  // Before the stencil test, which is late here: what is not there takes no sample.
+  // Before the stencil test, which is late here: a hole must not use up a sample.
   if (!isThere()) discard;
 #endif
-  // One depth for all samples: interpolated to each, some would pass the opaque surface and some
-  // not, and their stencils would no longer agree.
+  // One depth for all samples. Interpolated depths could pass the opaque surface at some samples and
+  // not at others, and their stencils would no longer agree.
   gl_FragDepth = gl_FragCoord.z;
   key = fragmentKey(gl_FragCoord.z, fragmentId());
   color = min(shadeTransparent(), vec4(kMaxHalf));

@@ -1,4 +1,4 @@
-// Makes the first two samples of a few pixels readable.
+// Self-test of stencil routing: copies the first two samples of a few pixels.
 #include "shared/bindings.h"
 layout(local_size_x = 4, local_size_y = 4) in;
 

@@ -1,4 +1,4 @@
-// A layer that knows its number.
+// Self-test of stencil routing: a layer that writes its number.
 layout(location = 0) uniform uint number;
 layout(location = 0) out uint layer;
 

@@ -11,20 +11,20 @@ layout(early_fragment_tests) in;
 layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
 layout(std430, binding = SSBO_SLICES) buffer Slices { uvec4 slices[]; };
 
-/// Below any product of differences of depths; keeps a pixel of one depth from dividing by 0.
+/// Smaller than any product of differences of depths; a pixel of one depth must not divide by 0.
 const float kLeastDepth = 1e-30;
 
-/// How far a depth is on the way from the nearest to the farthest fragment along the view axis, 0..1.
-/// Reversed depths z become distances c / (a + z), of which c and one division cancel.
-/// @param range as the pass that counts left it
+/// Place w of a depth between the nearest and the farthest fragment along the view axis, 0..1. Reversed
+/// depths z are distances c / (a + z); c and one division cancel.
+/// @param range as oit/count.frag writes it
 float wayOf(float depth, vec2 range) {
-  float a = frame.slices.x / (frame.slices.y - frame.slices.x);
+  float a = frame.nearPlane / (frame.farPlane - frame.nearPlane);
   float nearest = range.x;
   float farthest = -range.y;
   float part = (nearest - depth) * (a + farthest);
   float whole = (nearest - farthest) * (a + depth);
 #ifdef LEARNED
-  // 2 w / (1 + w) of the way w: slices that are thinner towards the eye, where fragments weigh most.
+  // 2 w / (1 + w) in place of w: slices are thinner towards the eye, where fragments weigh most.
   part *= 2.0;
   whole += 0.5 * part;
 #endif
@@ -42,7 +42,7 @@ void main() {
   ivec2 first = ivec2(gl_FragCoord.xy) * SLICE_TILE;
   vec2 range = texelFetch(depthRange, first, 0).rg;
   for (int i = 1; i < SLICE_TILE * SLICE_TILE; ++i) {
-    ivec2 p = min(first + ivec2(i % SLICE_TILE, i / SLICE_TILE), ivec2(frame.size.xy) - 1);
+    ivec2 p = min(first + ivec2(i % SLICE_TILE, i / SLICE_TILE), ivec2(frame.size) - 1);
     range = max(range, texelFetch(depthRange, p, 0).rg);
   }
   float way = wayOf(gl_FragCoord.z, range);

@@ -1,5 +1,6 @@
-// What a frame did with its fragments, summed for the report after the frame.
-// SLOTS_RANGES: slots from the table. Otherwise they are constant. FILLS: slots in use were counted.
+// Sums for the report, after a frame, what became of its fragments.
+// SLOTS_RANGES: slots are those of fragmentRange; otherwise the same for all pixels. FILLS: slots in use
+// were counted.
 #include "shared/oit_constants.h"
 layout(local_size_x = STRIP_GROUP) in;
 
@@ -23,7 +24,7 @@ void main() {
 #ifdef SLOTS_RANGES
     PixelSlots slots = slotsOf(texelFetch(fragmentRange, p, 0).rg);
 #else
-    PixelSlots slots = PixelSlots(0u, frame.oit.x, false);
+    PixelSlots slots = PixelSlots(0u, frame.pixelSlots, false);
 #endif
 #ifdef FILLS
     uint stored = texelFetch(fragmentFill, p, 0).r;

@@ -1,4 +1,5 @@
-// Read, change, write without atomics: right only where fragments of a pixel take turns in order.
+// Self-test of per-pixel ordering: reads, changes and writes a word without atomics, which is right only
+// where the rasteriser draws the fragments of a pixel in order.
 layout(location = 0) flat in uint triangle;
 layout(r32ui, binding = 0) uniform uimage2D words;
 

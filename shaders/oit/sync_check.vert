@@ -1,4 +1,4 @@
-// A triangle that covers everything, many times.
+// Self-test of per-pixel ordering: a triangle that covers everything, many times.
 layout(location = 0) flat out uint triangle;
 
 void main() {

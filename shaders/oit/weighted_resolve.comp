@@ -1,4 +1,4 @@
-// The weighted mean colour over what is behind (McGuire and Bavoil 2013, Eq. 6).
+// Composites the weighted mean colour over the image (McGuire and Bavoil 2013, Eq. 6).
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
@@ -14,9 +14,9 @@ void main() {
   if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
   vec4 sum = texelFetch(weighted, p, 0);
   if (sum.a <= 0.0) return;
-  float passes = exp2(-texelFetch(coverage, p, 0).a);
-  // Over the image, whose alpha is 1, or over nothing.
+  float transmittance = exp2(-texelFetch(coverage, p, 0).a);
+  // Over the image, whose alpha is 1, or at a reduced rate over nothing.
   vec4 behind = imageLoad(hdrColor, p);
-  vec3 color = sum.rgb / sum.a * (1.0 - passes) + behind.rgb * passes;
-  imageStore(hdrColor, p, vec4(min(color, vec3(kMaxHalf)), 1.0 - passes * (1.0 - behind.a)));
+  vec3 color = sum.rgb / sum.a * (1.0 - transmittance) + behind.rgb * transmittance;
+  imageStore(hdrColor, p, vec4(min(color, vec3(kMaxHalf)), 1.0 - transmittance * (1.0 - behind.a)));
 }

@@ -1,19 +1,19 @@
-// What the networks of importance see and say, once for C++ and GLSL.
+// Inputs and outputs of the networks of importance, once for C++ and GLSL.
 #ifndef MACULA_SHARED_NETWORK_H
 #define MACULA_SHARED_NETWORK_H
 
 // Features of the thesis's network (Tsopouridis 2021, section 4.2).
 #define THESIS_FEATURES 12
 
-// Depth slices that Macula's own network sees: twice as many as the plain prediction takes by default,
-// each thought of as half as many parts, which costs memory but no time. Its features: seven of each
-// slice, the pixel's number of fragments, and the opaque colour behind them.
+// Depth slices of Macula's own network: twice as many as the plain prediction uses by default, each
+// divided into half as many parts, which costs memory but no time. Its features: seven of each slice,
+// the pixel's number of fragments, and the opaque colour behind them.
 #define LEARNED_SLICES 8
 #define LEARNED_PARTS 2
 #define LEARNED_FEATURES 60
 
-// It corrects predicted errors (shaders/lib/bids.glsl) at four places: before slices 0, 2, 4 and 6; and
-// the order of layers inside each two slices. All as log2, at most this much up or down.
+// It corrects predicted errors (shaders/lib/predicted_error.glsl) at four places: before slices 0, 2, 4
+// and 6; and the variance of order inside each two slices. All as log2, at most this much up or down.
 #define LEARNED_KNOTS 4
 #define LEARNED_SLICES_A_KNOT 2
 #define LEARNED_MOST 12.0

@@ -6,8 +6,8 @@
 // and a sum over 2^28 pixels fits 64 bits.
 #define IMPORTANCE_ONE 65536u
 
-// Pixels that one thread sums before it touches a shared counter. Fewer, and atomics dominate;
-// more, and a GPU has too few threads to fill it.
+// Pixels that one thread sums before it adds to a shared counter. Fewer, and atomics dominate; more,
+// and a GPU has too few threads to fill it.
 #define STRIP 32
 
 // Threads of a work-group of the strip passes.
@@ -29,25 +29,25 @@
 // stands above it: 2^10 fragments and an optical depth of 2^12 a slice.
 #define SLICE_STEPS 1024.0
 #define SLICE_COUNT_SHIFT 22
-// 1/256 passes: less cannot be told from nothing in 8 bits.
+// A transmittance of 1/256: less cannot be told from nothing in 8 bits.
 #define SLICE_MAX_DEPTH 8.0
 // Radiance beyond white, so that highlights count but do not drown the rest.
 #define SLICE_MAX_COLOR 4.0
 #define MAX_SLICES 16
-// Parts that a slice is thought to consist of, its fragments spread evenly over them.
+// Even parts into which the prediction divides a slice, its fragments spread over them.
 #define SLICE_PARTS 4
 
-// The price of a slot is searched for between 2^-40 and 2^4: from what one fragment among thousands
-// can change to more than a whole pixel is worth.
-#define PRICE_LOWEST -40.0
-#define PRICE_HIGHEST 4.0
-// Octaves by which the high and the low price stand off the one found in a sample of the pixels:
+// The Lagrange multiplier is searched for between 2^-40 and 2^4: from what one fragment among thousands
+// can change to more than the utility of a whole pixel.
+#define MULTIPLIER_LOWEST -40.0
+#define MULTIPLIER_HIGHEST 4.0
+// Octaves by which the high and the low multiplier stand off the one found in a sample of the pixels:
 // its sums are about one per cent off.
-#define PRICE_MARGIN 0.05
-// Pixels a side of which the search looks at one, at the most, and pixels that are enough for it.
-#define PRICE_PIXELS 65536
-// Threads of the search: each sums some pixels before it touches the totals.
-#define PRICE_THREADS 2048
+#define MULTIPLIER_MARGIN 0.05
+// Pixels that are enough for that sample.
+#define SAMPLED_PIXELS 65536
+// Threads of the search: each sums some pixels before it adds to the totals.
+#define MULTIPLIER_THREADS 2048
 
 // The depth key of an empty slot: no depth has it.
 #define NO_KEY 0xFFFFFFFFu
@@ -55,8 +55,8 @@
 // Set in a pixel's number of slots where a tail stands behind them.
 #define RANGE_TAIL 0x80000000u
 
-// Optical depth of a layer at the most, in halvings: 1 / 65,536 passes, less than a half float of
-// radiance resolves.
+// Optical depth of a layer at the most, in halvings: a transmittance of 1 / 65,536 is less than a half
+// float of radiance resolves.
 #define MAX_OPTICAL_DEPTH 16.0
 
 // Steps of a tail's sums in one unit. With 2^14, floats hold sums below 2^10 exactly.

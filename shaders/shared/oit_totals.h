@@ -3,17 +3,17 @@
 #define MACULA_SHARED_OIT_TOTALS_H
 #include "shared/cpp_glsl.h"
 
-// The search for the price of a slot: rounds, and candidates (four to a vector) in each. Two rounds
-// of 16 tell prices apart by 44 octaves / 17^2, some 10 %.
-#define PRICE_ROUNDS 2
-#define PRICE_VECTORS 4
-#define PRICE_CANDIDATES 16
-#define PRICE_VECTORS_IN_ALL 8
+// The search for the Lagrange multiplier (shaders/lib/multiplier.glsl): rounds, and candidates (four to
+// a vector) in each. Two rounds of 16 find it within 44 octaves / 17^2, some 10 %.
+#define MULTIPLIER_ROUNDS 2
+#define MULTIPLIER_CANDIDATES 16
+#define MULTIPLIER_VECTORS_A_ROUND 4
+#define MULTIPLIER_VECTORS_IN_ALL 8
 
 // Lists of what transparent fragments cover.
 #define OIT_LISTS 2
 #define LIST_OF_TILES 0    // all tiles
-#define LIST_OF_SAMPLES 1  // a sample of the pixels, for the search for a price
+#define LIST_OF_SAMPLES 1  // a sample of the pixels, for the search for the multiplier
 
 // Bins of the histogram of counts; a deeper pixel counts as this deep.
 #define COUNT_BINS 1024
@@ -25,18 +25,19 @@ struct OitTotals {
   uint importanceHigh;
   uint covered;       // pixels with a transparent fragment
   uint starved;       // of these, those whose share of the budget rounds to no layer
-  uint cursor;        // slots handed out; exact methods may ask for more than exist
+  uint cursor;        // slots allocated; exact methods may ask for more than exist
   uint countMax;      // largest n of this frame
   uint lockFailures;  // fragments given up at the bound of a spin lock
   uint oneLayer;      // k of kb-plus
   uvec4 extent;       // x: all fragments; y: bits of the nearest reversed depth; z: complement of
                       // those of the farthest; w: pixels with a fragment; for networks
-  uvec4 levels;       // slots asked for: least for each, at a high price, at a low one, all
-  uvec4 dispatches[OIT_LISTS];              // of each list: see shaders/lib/list_dispatch.glsl
-  uvec4 priceDemand[PRICE_VECTORS_IN_ALL];  // slots asked for at each candidate, sampled
+  uvec4 demand;       // slots, of all pixels: the least of each, their demand at a high multiplier,
+                      // at a low one, a slot for every fragment
+  uvec4 dispatches[OIT_LISTS];                     // of each list: shaders/lib/list_dispatch.glsl
+  uvec4 sampledDemand[MULTIPLIER_VECTORS_IN_ALL];  // of the sample, at each candidate
 };
 
-/// What a frame did, summed after it for the report; no pass reads it.
+/// What became of a frame's fragments, summed after it for the report; no pass reads it.
 struct OitStatistics {
   uint generated;     // fragments that pass opaque depth
   uint stored;        // kept one by one

@@ -12,7 +12,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::Cull;
 using passes::OitSettings;
 using passes::Predictor;
@@ -184,7 +183,7 @@ std::vector<OitSettings> crowdedCases() {
                      .importance = predictor,
                      .fragmentBytes = bytes});
     }
-    all.push_back(learnedBids(kAve, bytes));
+    all.push_back(learnedUtility(kAve, bytes));
     all.push_back({.method = "kb-learned", .kAve = kAve, .fragmentBytes = bytes});
   }
   all.push_back({.method = "blend"});
@@ -280,8 +279,8 @@ TEST_F(GlTest, AllPassesAgreeOnFilteredHoles) {
   EXPECT_GT(reference.deepest, 8U);
   EXPECT_LE(reference.deepest, 12U);
   // The ranges are those of the count pass, the fill is the capture's.
-  const auto ranges = exact.words(Resource::FragmentRange, 2);
-  const auto fill = exact.words(Resource::FragmentFill, 1);
+  const auto ranges = exact.words(passes::kFragmentRange, 2);
+  const auto fill = exact.words(passes::kFragmentFill, 1);
   std::size_t unlike = 0;
   for (std::size_t p = 0; p < fill.size(); ++p) unlike += ranges[2 * p + 1] == fill[p] ? 0U : 1U;
   EXPECT_EQ(unlike, 0U);

@@ -8,8 +8,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
-
 struct CullCase {
   const char* method;
   double kAve;
@@ -22,7 +20,7 @@ TEST_P(Culling, KeepsTheNearestOfLemma21) {
   const scene::Scene scene = tangle(600, 21);
   constexpr glm::ivec2 kSize{72, 60};
   passes::RenderSettings settings = linearSettings(GetParam().method, GetParam().kAve);
-  const bool sorted = passes::methodById(GetParam().method).insertion == passes::Insertion::Sorted;
+  const bool sorted = passes::methodById(GetParam().method).sorts();
   for (const char* sync : {"auto", "spinlock"}) {
     if (!sorted && std::string_view(sync) != "auto") continue;
     settings.oit.sync = sync;
@@ -42,8 +40,8 @@ TEST_P(Culling, KeepsTheNearestOfLemma21) {
       EXPECT_GT(a.fragments->lost, 0U) << "there is something to cull";
     }
     // Reversed depth: culling can only bring the bound nearer.
-    const auto bound = culled.depths(Resource::CullDepth);
-    const auto opaque = culled.depths(Resource::Depth);
+    const auto bound = culled.depths(passes::kCullDepth);
+    const auto opaque = culled.depths(passes::kDepth);
     std::size_t nearer = 0;
     for (std::size_t p = 0; p < bound.size(); ++p) {
       ASSERT_GE(bound[p], opaque[p]);
@@ -90,9 +88,9 @@ passes::RenderSettings predicted(double kAve) {
 TEST_F(GlTest, PredictedCountsOfAStillViewAreThoseOfTheLastFrame) {
   Bench bench(tangle(300, 5), predicted(3.0), {64, 48}, machine());
   bench.draw();
-  const auto counted = bench.floats(Resource::FragmentCount, 1);
+  const auto counted = bench.floats(passes::kFragmentCount, 1);
   const passes::FrameResult second = bench.draw();
-  const auto expected = bench.floats(Resource::PredictedCount, 1);
+  const auto expected = bench.floats(passes::kPredictedCount, 1);
   for (std::size_t p = 0; p < counted.size(); ++p) {
     // Beside a covered pixel at least one is expected.
     if (counted[p] > 0.0F) {

@@ -1,7 +1,5 @@
-// The frame as a whole: layouts, allocation, sizes, tone map, self-tests.
+// The frame as a whole: allocation, sizes, tone map, self-tests.
 #include <gmock/gmock.h>
-
-#include <cstddef>
 
 #include "allocation_count.h"
 #include "engine/core/error.h"
@@ -9,21 +7,16 @@
 #include "engine/scene/procedural/recipes.h"
 #include "gl_fixture.h"
 #include "oit_cases.h"
-#include "shared/frame_constants.h"
-#include "shared/oit_totals.h"
-#include "shared/scene_data.h"
 
 namespace macula::test {
 namespace {
-
-using frame::Resource;
 
 TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
   const scene::Scene scene = tangle(100, 1);
   std::vector<passes::OitSettings> all{
       {.method = "kb-plus", .fill = true, .tail = passes::Tail::Mean},
       {.method = "kb-variable", .fill = true, .importance = passes::Predictor::Error},
-      learnedBids(4.0)};
+      learnedUtility(4.0)};
   for (const passes::Method& method : passes::methods()) {
     if (method.id == "kb-stencil" && machine().capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});
@@ -35,45 +28,6 @@ TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
     for (int i = 0; i < 5; ++i) bench.draw();
     EXPECT_EQ(allocationCount() - before, 0U) << describe(oit);
   }
-}
-
-/// Byte offset of a member of a block as the compiler of the driver sees it.
-GLint offsetOf(GLuint program, GLenum interface, const char* name) {
-  const GLuint index = glGetProgramResourceIndex(program, interface, name);
-  if (index == GL_INVALID_INDEX) {
-    ADD_FAILURE() << name << " is not active";
-    return -1;
-  }
-  const GLenum property = GL_OFFSET;
-  GLint value = -1;
-  glGetProgramResourceiv(program, interface, index, 1, &property, 1, nullptr, &value);
-  return value;
-}
-
-TEST_F(GlTest, SharedStructsLieAsTheShadersReadThem) {
-  const GLuint lighting = machine().programs.get(
-      {{"lighting.comp"}, {{"SHADOWS", "1"}, {"ENVIRONMENT", "1"}, {"LIT", "1"}}, {}});
-  const auto uniform = [&](const char* name) { return offsetOf(lighting, GL_UNIFORM, name); };
-  using shader::FrameConstants;
-  EXPECT_EQ(uniform("frame.inverseViewProjection"),
-            static_cast<GLint>(offsetof(FrameConstants, inverseViewProjection)));
-  EXPECT_EQ(uniform("frame.eye"), static_cast<GLint>(offsetof(FrameConstants, eye)));
-  EXPECT_EQ(uniform("frame.size"), static_cast<GLint>(offsetof(FrameConstants, size)));
-  using shader::LightBlock;
-  EXPECT_EQ(uniform("lights.environment"), static_cast<GLint>(offsetof(LightBlock, environment)));
-  EXPECT_EQ(uniform("lights.shadowMatrix"), static_cast<GLint>(offsetof(LightBlock, shadowMatrix)));
-  EXPECT_EQ(uniform("lights.irradiance[0]"), static_cast<GLint>(offsetof(LightBlock, irradiance)));
-  EXPECT_EQ(uniform("lights.lights[0].color"),
-            static_cast<GLint>(offsetof(LightBlock, lights) + offsetof(shader::LightData, color)));
-  const GLuint importance = machine().programs.get({{"oit/importance.comp"}, {}, {}});
-  const auto total = [&](const char* name) {
-    return offsetOf(importance, GL_BUFFER_VARIABLE, name);
-  };
-  using shader::OitTotals;
-  EXPECT_EQ(total("totals.covered"), static_cast<GLint>(offsetof(OitTotals, covered)));
-  EXPECT_EQ(total("totals.countMax"), static_cast<GLint>(offsetof(OitTotals, countMax)));
-  EXPECT_EQ(sizeof(shader::Instance) % 16, 0U);
-  EXPECT_EQ(sizeof(shader::MaterialData) % 16, 0U);
 }
 
 TEST_F(GlTest, TwoRunsGiveTheSameBits) {

@@ -8,7 +8,7 @@
 namespace macula::test {
 namespace {
 
-/// Made on first use and kept for the program: contexts are dear, and so are compiled shaders.
+/// Made on first use and kept for the program: contexts and compiled shaders are expensive.
 struct World {
   window::HeadlessContext context{window::EglPlatform::Auto, true};
   gl::DebugLog log;
@@ -77,46 +77,40 @@ std::vector<float> Bench::linear() const {
   return rgb;
 }
 
-std::vector<std::uint32_t> Bench::words(frame::Resource resource, int channels) const {
-  const gl::Texture& texture = renderer.resources().texture(resource);
-  std::vector<std::uint32_t> data(static_cast<std::size_t>(texture.width()) *
-                                  static_cast<std::size_t>(texture.height()) *
-                                  static_cast<std::size_t>(channels));
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+namespace {
+
+/// Level 0 of a texture, `channels` values a texel.
+template <typename T>
+std::vector<T> readTexels(const Bench& bench, const frame::Resource& resource, GLenum format,
+                          GLenum type, int channels = 1) {
+  const gl::Texture& texture = bench.renderer.resources().texture(resource);
+  std::vector<T> data(static_cast<std::size_t>(texture.width()) *
+                      static_cast<std::size_t>(texture.height()) *
+                      static_cast<std::size_t>(channels));
+  bench.renderer.resources().read(resource, format, type, data.size() * sizeof(T), data.data());
+  return data;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> Bench::words(const frame::Resource& resource, int channels) const {
   const GLenum format = channels == 4   ? GL_RGBA_INTEGER
                         : channels == 2 ? GL_RG_INTEGER
                                         : GL_RED_INTEGER;
-  glGetTextureImage(texture.id(), 0, format, GL_UNSIGNED_INT,
-                    static_cast<GLsizei>(data.size() * sizeof(std::uint32_t)), data.data());
-  return data;
+  return readTexels<std::uint32_t>(*this, resource, format, GL_UNSIGNED_INT, channels);
 }
 
-std::vector<float> Bench::floats(frame::Resource resource, int channels) const {
-  const gl::Texture& texture = renderer.resources().texture(resource);
-  std::vector<float> data(static_cast<std::size_t>(texture.width()) *
-                          static_cast<std::size_t>(texture.height()) *
-                          static_cast<std::size_t>(channels));
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+std::vector<float> Bench::floats(const frame::Resource& resource, int channels) const {
   const GLenum format = channels == 4 ? GL_RGBA : channels == 2 ? GL_RG : GL_RED;
-  glGetTextureImage(texture.id(), 0, format, GL_FLOAT,
-                    static_cast<GLsizei>(data.size() * sizeof(float)), data.data());
-  return data;
+  return readTexels<float>(*this, resource, format, GL_FLOAT, channels);
 }
 
-std::vector<float> Bench::depths(frame::Resource resource) const {
-  const gl::Texture& texture = renderer.resources().texture(resource);
-  std::vector<float> data(static_cast<std::size_t>(texture.width()) *
-                          static_cast<std::size_t>(texture.height()));
-  glGetTextureImage(texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                    static_cast<GLsizei>(data.size() * sizeof(float)), data.data());
-  return data;
+std::vector<float> Bench::depths(const frame::Resource& resource) const {
+  return readTexels<float>(*this, resource, GL_DEPTH_COMPONENT, GL_FLOAT);
 }
 
-std::vector<std::uint32_t> Bench::bufferWords(frame::Resource resource) const {
-  const gl::Buffer& buffer = renderer.resources().buffer(resource);
-  std::vector<std::uint32_t> data(buffer.bytes() / sizeof(std::uint32_t));
-  buffer.download(data.data(), buffer.bytes());
-  return data;
+std::vector<std::uint32_t> Bench::bufferWords(const frame::Resource& resource) const {
+  return renderer.resources().readBuffer<std::uint32_t>(resource);
 }
 
 passes::RenderSettings linearSettings(const std::string& method, double kAve) {

@@ -11,7 +11,10 @@
 #include "engine/scene/gpu_scene.h"
 #include "engine/window/headless.h"
 #include "passes/frame_renderer.h"
+#include "passes/lod/resources.h"
 #include "passes/machine.h"
+#include "passes/oit/resources.h"
+#include "passes/resources.h"
 
 namespace macula::test {
 
@@ -34,11 +37,12 @@ struct Bench {
   [[nodiscard]] std::vector<std::uint8_t> shown() const;
   [[nodiscard]] std::vector<float> linear() const;
   /// Level 0 of an integer texture, rows from the bottom, `channels` words a texel.
-  [[nodiscard]] std::vector<std::uint32_t> words(frame::Resource resource, int channels) const;
+  [[nodiscard]] std::vector<std::uint32_t> words(const frame::Resource& resource,
+                                                 int channels) const;
   /// A depth texture.
-  [[nodiscard]] std::vector<float> depths(frame::Resource resource) const;
-  [[nodiscard]] std::vector<float> floats(frame::Resource resource, int channels) const;
-  [[nodiscard]] std::vector<std::uint32_t> bufferWords(frame::Resource resource) const;
+  [[nodiscard]] std::vector<float> depths(const frame::Resource& resource) const;
+  [[nodiscard]] std::vector<float> floats(const frame::Resource& resource, int channels) const;
+  [[nodiscard]] std::vector<std::uint32_t> bufferWords(const frame::Resource& resource) const;
 
   passes::RenderSettings settings;
   scene::GpuScene gpu;

@@ -8,8 +8,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
-
 TEST(ImportanceMirror, AgreesWithACaseByHand) {
   // 300x400 pixels: the diagonal is 500. A pixel 55 from the gaze: 2 * 55 / 550 = 0.2, cubed
   // 0.008, so I_per = 0.992. 5 of 10 layers with alpha 0.35: 0.35 + 0.65 / 2 = 0.675.
@@ -38,9 +36,9 @@ TEST_F(GlTest, ImportanceAndLayersEqualTheMirror) {
     for (const double kAve : {2.0, 5.0}) {
       Bench bench(tangle(400, 2), mirrored(kAve), kSize, machine());
       bench.draw(gaze);
-      const auto importance = bench.words(Resource::Importance, 1);
-      const auto ranges = bench.words(Resource::FragmentRange, 2);
-      const auto counts = bench.floats(Resource::FragmentCount, 1);
+      const auto importance = bench.words(passes::kImportance, 1);
+      const auto ranges = bench.words(passes::kFragmentRange, 2);
+      const auto counts = bench.floats(passes::kFragmentCount, 1);
       std::vector<std::uint32_t> integerCounts(counts.begin(), counts.end());
       // The mirror of k takes the GPU's importance, so that it must agree to the bit.
       const auto layers = layersOf(importance, integerCounts, bench.renderer.plan().slots);
@@ -68,8 +66,8 @@ TEST_F(GlTest, AnUncertainGazeWidensWhatCountsAsLookedAt) {
   gaze::PointOfInterest point = gaze::exactPoint({0.25, 0.5});
   point.radius = gaze::kFoveaRadius + 0.2F;  // 8 pixels more
   bench.renderer.render(bench.camera, point);
-  const auto importance = bench.words(Resource::Importance, 1);
-  const auto counts = bench.floats(Resource::FragmentCount, 1);
+  const auto importance = bench.words(passes::kImportance, 1);
+  const auto counts = bench.floats(passes::kFragmentCount, 1);
   MirrorSettings widened;
   widened.widened = 8.0;
   for (int y = 0; y < kSize.y; ++y) {
@@ -87,7 +85,7 @@ TEST_F(GlTest, LayersFollowTheGaze) {
   Bench bench(tangle(900, 4), mirrored(6.0), {96, 96}, machine());
   const auto meanNear = [&](glm::vec2 gaze, int centerX) {
     bench.draw(gaze);
-    const auto ranges = bench.words(Resource::FragmentRange, 2);
+    const auto ranges = bench.words(passes::kFragmentRange, 2);
     double sum = 0.0;
     for (int y = 38; y < 58; ++y) {
       for (int x = centerX - 10; x < centerX + 10; ++x) {
@@ -105,7 +103,7 @@ TEST_F(History, IsInvalidOnTheFirstFrameAfterAResizeAndAfterACut) {
   const scene::Scene scene = tangle(300, 9);
   const auto importanceOfFrame = [](Bench& bench, bool cut) {
     bench.draw(glm::vec2(0.5F), cut);
-    return bench.words(Resource::Importance, 1);
+    return bench.words(passes::kImportance, 1);
   };
   Bench bench(scene, mirrored(2.0), {64, 64}, machine());
   const auto first = importanceOfFrame(bench, false);
@@ -128,8 +126,8 @@ TEST_F(History, IsInvalidOnTheFirstFrameAfterAResizeAndAfterACut) {
 TEST_F(History, FrontNormalIsThatOfTheNearestFragment) {
   Bench bench(tangle(300, 9), mirrored(4.0), {64, 64}, machine());
   bench.draw();
-  const auto normals = bench.floats(Resource::FrontNormal, 4);
-  const auto counts = bench.floats(Resource::FragmentCount, 1);
+  const auto normals = bench.floats(passes::kFrontNormal, 4);
+  const auto counts = bench.floats(passes::kFragmentCount, 1);
   for (std::size_t p = 0; p < counts.size(); ++p) {
     EXPECT_EQ(normals[4 * p + 3] > 0.0F, counts[p] > 0.0F) << "pixel " << p;
     if (counts[p] == 0.0F) continue;

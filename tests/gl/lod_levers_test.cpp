@@ -86,10 +86,10 @@ TEST_F(GlTest, LeversResizeTransparencyUnderFoveation) {
   settings.lod.transparency = true;
   Bench bench(tangle(60, 3), settings, {96, 64}, machine());
   (void)bench.draw();
-  EXPECT_FALSE(bench.renderer.plan().resized());
+  EXPECT_FALSE(bench.renderer.plan().reduced());
   bench.renderer.setLevers({.resize = 2.0F});
   (void)bench.draw();
-  EXPECT_TRUE(bench.renderer.plan().resized());
+  EXPECT_TRUE(bench.renderer.plan().reduced());
 }
 
 TEST_F(GlTest, TheLayersLeverLeavesATailItsPlace) {

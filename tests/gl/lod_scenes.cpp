@@ -165,7 +165,7 @@ passes::RenderSettings resized(double r, const std::string& what) {
 }
 
 std::vector<float> radiance(const Bench& bench) {
-  return bench.floats(frame::Resource::HdrColor, 4);
+  return bench.floats(passes::kHdrColor, 4);
 }
 
 double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) {

@@ -72,7 +72,7 @@ EdgeError edgeError(const scene::Scene& scene, const passes::RenderSettings& set
   (void)full.draw();
   Bench bench(scene, settings, kSize, machine);
   (void)bench.draw();
-  const std::vector<float> depth = full.depths(frame::Resource::Depth);
+  const std::vector<float> depth = full.depths(passes::kDepth);
   const std::vector<float> wanted = radiance(full);
   const std::vector<float> got = radiance(bench);
   double sums[2] = {0.0, 0.0};

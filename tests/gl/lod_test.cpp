@@ -1,4 +1,4 @@
-// Resizing and foveation: the shaders against plain mirrors, counts, allocation, history.
+// Level of detail and foveation: the shaders against plain mirrors, counts, allocation, history.
 #include <gmock/gmock.h>
 
 #include <bit>
@@ -14,8 +14,6 @@
 
 namespace macula::test {
 namespace {
-
-using frame::Resource;
 
 constexpr glm::ivec2 kSize{150, 101};  // no multiple of tiles or groups
 /// As in shaders/lib/lod.glsl.
@@ -69,15 +67,15 @@ ReconstructionMirror mirrorOf(const Bench& bench) {
   mirror.texels = plan.texels;
   mirror.resize = static_cast<float>(plan.resize);
   mirror.samplesPerRow = plan.size.x;
-  const std::vector<std::uint32_t> texels = bench.words(Resource::LodSamples, 4);
+  const std::vector<std::uint32_t> texels = bench.words(passes::kLodSamples, 4);
   for (std::size_t i = 0; i < texels.size(); i += 4) mirror.samples.push_back(unpack(&texels[i]));
-  mirror.depth = bench.depths(Resource::Depth);
-  const std::vector<float> normals = bench.floats(Resource::Normal, 2);
+  mirror.depth = bench.depths(passes::kDepth);
+  const std::vector<float> normals = bench.floats(passes::kNormal, 2);
   for (std::size_t i = 0; i < normals.size(); i += 2) {
     mirror.normal.push_back(decodeOctahedral(normals[i], normals[i + 1]));
   }
   if (plan.foveated) {
-    const std::vector<std::uint32_t> all = bench.words(Resource::ShadingRate, 1);
+    const std::vector<std::uint32_t> all = bench.words(passes::kShadingRate, 1);
     const int row = (plan.size.x + LOD_TILE - 1) / LOD_TILE;
     for (int y = 0; y < plan.tiles.y; ++y) {
       for (int x = 0; x < plan.tiles.x; ++x) {
@@ -251,10 +249,12 @@ TEST_F(GlTest, HolesHaveTheirFullRateValue) {
   Bench full(wires(), resized(1.0), kSize, machine());
   (void)full.draw();
   const std::vector<float> wanted = radiance(full);
-  Bench bench(wires(), resized(4.0), kSize, machine());
+  passes::RenderSettings settings = resized(4.0);
+  settings.readBack = true;
+  Bench bench(wires(), settings, kSize, machine());
   const passes::FrameResult result = bench.draw();
   ASSERT_GT(result.shading.holes, 50U);
-  const std::vector<std::uint32_t> holes = bench.bufferWords(Resource::LodHoles);
+  const std::vector<std::uint32_t> holes = bench.bufferWords(passes::kLodHoles);
   const std::vector<float> got = radiance(bench);
   std::set<std::uint32_t> places;
   for (std::uint64_t i = 0; i < result.shading.holes; ++i) {
@@ -307,7 +307,7 @@ TEST_F(GlTest, RestartForgetsThatALeverAsked) {
   (void)bench.draw();
   EXPECT_FALSE(bench.renderer.lod().wanted);
   EXPECT_EQ(radiance(plain), radiance(bench)) << "no part went through its texture of bytes";
-  // A lever that stands away from rest asks again.
+  // A quality control away from its default asks again.
   bench.renderer.setLevers({.resize = 2.0F});
   bench.renderer.restart();
   EXPECT_EQ(bench.draw().resizeFactor, 2.0);
@@ -358,10 +358,10 @@ TEST_F(GlTest, EverySampleOfATileIsShaded) {
   Bench bench(still(), foveatedSettings(20.0), {200, 120}, machine());
   (void)bench.draw();
   const std::uint32_t marker[4] = {7, 7, 7, 7};
-  const gl::Texture& samples = bench.renderer.resources().texture(Resource::LodSamples);
+  const gl::Texture& samples = bench.renderer.resources().texture(passes::kLodSamples);
   glClearTexImage(samples.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, marker);
   const passes::FrameResult result = bench.draw({0.2F, 0.2F});
-  const std::vector<std::uint32_t> texels = bench.words(Resource::LodSamples, 4);
+  const std::vector<std::uint32_t> texels = bench.words(passes::kLodSamples, 4);
   const std::vector<int> levels = mirrorOf(bench).levels;
   const passes::LodPlan& plan = bench.renderer.lod();
   std::uint64_t written = 0;

@@ -13,7 +13,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 using passes::Predictor;
 using passes::Tail;
@@ -37,7 +36,7 @@ std::vector<OitSettings> allWays(const passes::Machine& machine) {
       {.method = "kb-variable", .count = passes::CountSource::Predicted},
       {.method = "kb-variable", .fill = true, .importance = Predictor::Transmittance},
       {.method = "kb-variable", .fill = true, .tail = Tail::Mean, .importance = Predictor::Error},
-      learnedBids(4.0)};
+      learnedUtility(4.0)};
   for (const passes::Method& method : passes::methods()) {
     if (method.id == "kb-stencil" && machine.capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});
@@ -65,7 +64,7 @@ TEST_F(GlTest, TransparencyAtFullRateIsTheSameBits) {
     Bench plain(scene, settings, {70, 45}, machine());
     resizable.renderer.setLevers({.resize = 2.0F});
     resizable.draw();
-    EXPECT_TRUE(resizable.renderer.plan().resized());
+    EXPECT_TRUE(resizable.renderer.plan().reduced());
     resizable.renderer.setLevers({.resize = 1.0F});
     for (int i = 0; i < 3; ++i) {
       const passes::FrameResult a = resizable.draw();
@@ -73,7 +72,7 @@ TEST_F(GlTest, TransparencyAtFullRateIsTheSameBits) {
       EXPECT_EQ(resizable.linear(), plain.linear()) << describe(oit) << " frame " << i;
       EXPECT_EQ(a.exact, b.exact) << describe(oit);
     }
-    EXPECT_FALSE(plain.renderer.resources().has(Resource::ResizedColor));
+    EXPECT_FALSE(plain.renderer.resources().has(passes::kReducedColor));
   }
 }
 

@@ -1,4 +1,4 @@
-// Slots by a network: the budget holds whatever it says, and like pixels get like slots.
+// Slots by a network: the budget holds whatever it predicts, and like pixels get like slots.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 
 /// Draws a frame and checks what was given. @returns the slots of each pixel
@@ -23,7 +22,7 @@ std::vector<Given> expectBudgetHolds(Bench& bench, const std::string& what) {
   EXPECT_LE(sum, plan.slots) << what;
   EXPECT_GT(result.fragments->generated, 0U) << what;
   EXPECT_TRUE(allFinite(bench.linear())) << what;
-  if (plan.auctions()) {
+  if (plan.sharesByUtility()) {
     EXPECT_EQ(sum, std::min<std::uint64_t>(plan.slots, result.fragments->generated)) << what;
     for (const Given& g : given) EXPECT_LE(g.slots, g.count) << what;
   }
@@ -90,7 +89,7 @@ TEST_F(Networks, GiveTheSameFrameAgain) {
       EXPECT_EQ(countUnlike(first, b.linear()), 0U) << describe(oit);
       a.draw();
       EXPECT_EQ(countUnlike(first, a.linear()), 0U) << describe(oit) << ": no history";
-      EXPECT_EQ(a.bufferWords(Resource::OitTotals), b.bufferWords(Resource::OitTotals));
+      EXPECT_EQ(a.bufferWords(passes::kOitTotals), b.bufferWords(passes::kOitTotals));
     }
   }
 }

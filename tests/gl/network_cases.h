@@ -12,7 +12,7 @@
 
 namespace macula::test {
 
-/// Files of made-up networks, until the test ends.
+/// Files of small test networks, until the test ends.
 class Networks : public GlTest {
  protected:
   void TearDown() override {
@@ -37,12 +37,12 @@ class Networks : public GlTest {
     return passes::methodById(oit.method).learnsImportance() ? passes::NetworkModel::Thesis
                                                              : passes::NetworkModel::Learned;
   }
-  /// kb-learned without and with a filled budget, and kb-variable by learned bids.
+  /// kb-learned without and with a filled budget, and kb-variable by learned utility.
   static std::vector<passes::OitSettings> ways(double kAve) {
     return {{.method = "kb-learned", .kAve = kAve},
             {.method = "kb-learned", .kAve = kAve, .fill = true},
             {.method = "kb-learned", .kAve = kAve, .fill = true, .tail = passes::Tail::Mean},
-            learnedBids(kAve)};
+            learnedUtility(kAve)};
   }
 
  private:

@@ -9,7 +9,7 @@
 #include "engine/scene/procedural/recipes.h"
 #include "network_mirror.h"
 #include "oit_cases.h"
-#include "passes/oit/read_features.h"
+#include "passes/oit/learned/read_features.h"
 #include "shared/network.h"
 
 namespace macula::test {
@@ -72,13 +72,18 @@ TEST(NetworkMirror, SlicesAreThinnerTowardsTheEye) {
   EXPECT_NEAR(slices.nearestBoundary, 0.2, 1e-12);
 }
 
+passes::RenderSettings readBack(passes::RenderSettings settings) {
+  settings.readBack = true;
+  return settings;
+}
+
 /// One view, drawn by all fragments, by none, and for a network.
 class View {
  public:
   View(const scene::Scene& scene, const OitSettings& oit, glm::ivec2 size, passes::Machine& machine)
       : exact_(scene, linearSettings("ab-sbuffer"), size, machine),
         opaque_(scene, linearSettings("ab-sbuffer"), size, machine),
-        seen_(scene, settingsOf(oit), size, machine) {
+        seen_(scene, readBack(settingsOf(oit)), size, machine) {
     opaque_.renderer.showTransparency(false);
     for (Bench* bench : {&exact_, &opaque_, &seen_}) bench->draw();
     frame = frameOf(exact_, opaque_);
@@ -132,7 +137,7 @@ scene::Scene turnedModels(bool textured) {
 TEST_F(Features, AreTheSameFromVerticesAsFromFragments) {
   const glm::ivec2 size(64, 48);
   for (const OitSettings& way :
-       {OitSettings{.method = "kb-learned", .kAve = 3.0}, learnedBids(3.0)}) {
+       {OitSettings{.method = "kb-learned", .kAve = 3.0}, learnedUtility(3.0)}) {
     const View plain(turnedModels(false), way, size, machine());
     const View textured(turnedModels(true), way, size, machine());
     ASSERT_EQ(plain.features.size(), textured.features.size());
@@ -242,7 +247,7 @@ TEST_F(Features, OfMaculaAsByHand) {
   const View view(sheets({{2.0F, {1.0F, 0.0F, 0.0F, 0.5F}},
                           {6.0F, {0.0F, 1.0F, 0.0F, 0.5F}},
                           {9.0F, {1.0F, 1.0F, 1.0F, 1.0F}, 0.0F, 0.0F, true}}),
-                  learnedBids(2.0), {8, 6}, machine());
+                  learnedUtility(2.0), {8, 6}, machine());
   const auto x = plainOf(view.features.data());
   EXPECT_NEAR(x[0], 2.0, 1e-6);
   // Exact (3/4, 1/2, 1/4); as one layer 3/4 (1/2, 1/2, 0) + 1/4 = (0.625, 0.625, 0.25); their
@@ -269,7 +274,7 @@ TEST_F(Features, OfMaculaEqualTheMirrorWhereColoursAreKnown) {
     list.push_back({2.0F + 0.7F * step, colors.back(), i % 2 == 0 ? 0.3F : -0.2F});
   }
   list.push_back({16.0F, {0.5F, 0.6F, 0.7F, 1.0F}, 0.0F, 0.0F, true});
-  const View view(sheets(list), learnedBids(2.0), {64, 48}, machine());
+  const View view(sheets(list), learnedUtility(2.0), {64, 48}, machine());
   // Slices hold steps of 1/1024, and rounding goes the other way where a value lies between two:
   // for the thinnest sheet, of optical depth 0.23, 0.4 % of its colour.
   constexpr double kTolerance = 5e-3;
@@ -282,7 +287,7 @@ TEST_F(Features, OfMaculaEqualTheMirrorWhereColoursAreKnown) {
 
 TEST_F(Features, OfMaculaEqualTheMirror) {
   for (const scene::Scene& scene : scenes()) {
-    const View view(scene, learnedBids(2.0), {64, 64}, machine());
+    const View view(scene, learnedUtility(2.0), {64, 64}, machine());
     // The mirror's colours are half floats here, so that sums are rounded to another step of
     // 1/1024: of a slice of optical depth 0.05, 2 % of its colour.
     constexpr double kTolerance = 0.02;
@@ -296,8 +301,8 @@ TEST_F(Features, OfMaculaEqualTheMirror) {
 
 TEST_F(Features, AreThoseOfPixelsWhateverTheTile) {
   const scene::Scene scene = unlit(tangle(240, 5));
-  for (const OitSettings& oit : {OitSettings{.method = "kb-learned"}, learnedBids(4.0)}) {
-    passes::RenderSettings settings = settingsOf(oit);
+  for (const OitSettings& oit : {OitSettings{.method = "kb-learned"}, learnedUtility(4.0)}) {
+    passes::RenderSettings settings = readBack(settingsOf(oit));
     Bench one(scene, settings, {47, 33}, machine());
     settings.importance.networkTile = 4;
     Bench four(scene, settings, {47, 33}, machine());
@@ -319,13 +324,15 @@ TEST_F(Features, OfOtherFramesAreRefused) {
   Bench plain(scene, linearSettings("kb-variable"), {32, 32}, machine());
   Bench resized(scene, atHalfRate, {32, 32}, machine());
   Bench good(scene, settingsOf({.method = "kb-learned"}), {32, 32}, machine());
-  for (Bench* bench : {&opaque, &small, &plain, &resized, &good}) bench->draw();
+  Bench shared(scene, settingsOf(learnedUtility(2.0)), {32, 32}, machine());
+  for (Bench* bench : {&opaque, &small, &plain, &resized, &good, &shared}) bench->draw();
   const auto read = [&](Bench& bench, const Bench& behind) {
     static_cast<void>(passes::readFeatures(bench.renderer, behind.renderer, machine().programs));
   };
   EXPECT_THROW(read(plain, opaque), std::invalid_argument);
   EXPECT_THROW(read(resized, opaque), std::invalid_argument);
   EXPECT_THROW(read(good, small), std::invalid_argument);
+  EXPECT_THROW(read(shared, opaque), std::invalid_argument) << "its slices may be overwritten";
   EXPECT_NO_THROW(read(good, opaque));
 }
 

@@ -10,8 +10,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
-
 /// Of a reversed depth: 1 at the near plane, 0 at the far one.
 double distanceOf(float depth, const scene::Camera& camera) {
   const double nearPlane = static_cast<double>(camera.nearPlane);
@@ -42,10 +40,10 @@ MirrorFrame frameOf(const Bench& exact, const Bench& opaque) {
   const glm::ivec2 size = exact.renderer.outputSize();
   const auto width = static_cast<std::size_t>(size.x);
   const auto height = static_cast<std::size_t>(size.y);
-  const auto ranges = exact.words(Resource::FragmentRange, 2);
-  const auto keys = exact.bufferWords(Resource::FragmentKeys);
-  const auto colors = exact.bufferWords(Resource::FragmentColors);
-  const auto behind = opaque.floats(Resource::HdrColor, 4);
+  const auto ranges = exact.words(passes::kFragmentRange, 2);
+  const auto keys = exact.bufferWords(passes::kFragmentKeys);
+  const auto colors = exact.bufferWords(passes::kFragmentColors);
+  const auto behind = opaque.floats(passes::kHdrColor, 4);
   // What was drawn, whose planes may be others than the scene's camera asks for.
   const scene::Camera& camera = exact.renderer.inputs().view.camera;
   MirrorFrame frame;

@@ -11,7 +11,7 @@
 #include "gl_fixture.h"
 #include "model_network.h"
 #include "oit_cases.h"
-#include "passes/oit/read_features.h"
+#include "passes/oit/learned/read_features.h"
 
 namespace macula::test {
 namespace {
@@ -32,14 +32,14 @@ double largestRelative(const std::vector<float>& a, const std::vector<float>& b)
 
 std::vector<float> evaluateAll(const network::Network& network,
                                const std::vector<float>& features) {
-  std::vector<float> said;
+  std::vector<float> predicted;
   const std::size_t inputs = network.features.size();
   for (std::size_t at = 0; at < features.size(); at += inputs) {
     const std::vector<float> one =
         network::evaluate(network, std::span(features).subspan(at, inputs));
-    said.insert(said.end(), one.begin(), one.end());
+    predicted.insert(predicted.end(), one.begin(), one.end());
   }
-  return said;
+  return predicted;
 }
 
 std::vector<float> randomFeatures(const network::Network& network, std::size_t count,
@@ -74,7 +74,7 @@ TEST_F(NetworkOnGpu, SaysWhatItSaysOnTheCpu) {
     ASSERT_EQ(there.size(), 300U * network.outputs.size());
     EXPECT_LT(largestRelative(there, here), 1e-5) << "network " << i;
     const auto [least, most] = std::minmax_element(here.begin(), here.end());
-    EXPECT_GT(*most - *least, 0.01F) << "it says something";
+    EXPECT_GT(*most - *least, 0.01F) << "its outputs vary";
     note("largest difference of network " + std::to_string(i), largestRelative(there, here));
   }
 }
@@ -83,10 +83,10 @@ TEST_F(NetworkOnGpu, SaysNothingInfiniteOfFarFeatures) {
   const network::Network network = randomNetwork(NetworkModel::Thesis, {16}, 9);
   std::vector<float> features = randomFeatures(network, 64, 6);
   for (float& x : features) x *= 1e5F;  // the sigmoid is at its ends
-  const std::vector<float> said =
+  const std::vector<float> predicted =
       passes::evaluateOnGpu(network, NetworkModel::Thesis, features, machine().programs);
-  EXPECT_LT(largestRelative(said, evaluateAll(network, features)), 1e-5);
-  EXPECT_THAT(said, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
+  EXPECT_LT(largestRelative(predicted, evaluateAll(network, features)), 1e-5);
+  EXPECT_THAT(predicted, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
 }
 
 TEST_F(NetworkOnGpu, TakesAMeanOfMinusZero) {
@@ -101,7 +101,8 @@ TEST_F(NetworkOnGpu, TakesAMeanOfMinusZero) {
 
 class Probes : public NetworkOnGpu, public testing::WithParamInterface<NetworkModel> {};
 
-/// Inputs and what PyTorch said of them, written by tools/train/train.py --probes with the weights.
+/// Inputs and what PyTorch predicts from them, written by tools/train/train.py --probes with the
+/// weights.
 TEST_P(Probes, AreAnsweredAsByTheProgramThatTrained) {
   const std::filesystem::path file =
       std::filesystem::path(MACULA_SOURCE_DIR) / "tests" / "golden" / "networks" /
@@ -126,7 +127,7 @@ TEST_P(Probes, AreAnsweredAsByTheProgramThatTrained) {
   const double onCpu = largestRelative(evaluateAll(network, features), expected);
   const double onGpu = largestRelative(
       passes::evaluateOnGpu(network, GetParam(), features, machine().programs), expected);
-  EXPECT_LT(onCpu, 1e-4) << "the probes are of other weights: write both anew";
+  EXPECT_LT(onCpu, 1e-4) << "the probes are of other weights: write both again";
   EXPECT_LT(onGpu, 1e-4);
   note("largest difference on the CPU", onCpu);
   note("largest difference on the GPU", onGpu);

@@ -15,7 +15,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 
 class NetworkTiles : public Networks {};
@@ -45,7 +44,7 @@ double speckleOf(const Bench& bench, glm::ivec2 size) {
 TEST_F(NetworkTiles, SpeckleNoMoreWhereTheySpeakForTiles) {
   const glm::ivec2 size(96, 96);
   for (const OitSettings& way : ways(2.0)) {
-    // Bids alone: the thesis's network speckles as much either way (mean |dk| of neighbours over
+    // Demand alone: the thesis's network speckles as much either way (mean |dk| of neighbours over
     // these scenes and weights 0.205 both for each pixel and for 4x4).
     if (way.importance != passes::Predictor::Learned) continue;
     // Of several scenes and networks, because the budget's remainder falls here or there: in one
@@ -77,7 +76,7 @@ TEST_F(NetworkTiles, SpeckleNoMoreByMaculasOwnWeights) {
   for (const std::uint32_t seed : {0U, 1U, 3U, 5U}) {
     const scene::Scene scene = unlit(scene::makeMedley(seed));
     for (const int tile : {1, 4}) {
-      Bench bench(scene, tiled(learnedBids(2.0), tile), size, machine());
+      Bench bench(scene, tiled(learnedUtility(2.0), tile), size, machine());
       bench.draw();
       const double found = speckleOf(bench, size);
       note("medley-" + std::to_string(seed) + " tile " + std::to_string(tile), found);
@@ -87,12 +86,12 @@ TEST_F(NetworkTiles, SpeckleNoMoreByMaculasOwnWeights) {
   EXPECT_LE(speckle[1], speckle[0]);
 }
 
-/// What a network said of each tile, four words each.
-std::vector<std::array<std::uint32_t, 4>> saidBy(const Bench& bench) {
-  const auto words = bench.words(Resource::NetworkOutput, 4);
-  std::vector<std::array<std::uint32_t, 4>> said(words.size() / 4);
-  for (std::size_t i = 0; i < words.size(); ++i) said[i / 4][i % 4] = words[i];
-  return said;
+/// What a network predicts for each tile, four words each.
+std::vector<std::array<std::uint32_t, 4>> predictedBy(const Bench& bench) {
+  const auto words = bench.words(passes::kNetworkOutput, 4);
+  std::vector<std::array<std::uint32_t, 4>> predicted(words.size() / 4);
+  for (std::size_t i = 0; i < words.size(); ++i) predicted[i / 4][i % 4] = words[i];
+  return predicted;
 }
 
 TEST_F(NetworkTiles, AreSpokenForByTheirDeepestPixel) {
@@ -102,16 +101,16 @@ TEST_F(NetworkTiles, AreSpokenForByTheirDeepestPixel) {
     const OitSettings oit = random(way, 5);
     Bench single(scene, tiled(oit, 1), size, machine());
     single.draw();
-    const auto pixels = saidBy(single);
-    const auto counts = single.floats(Resource::FragmentCount, 1);
+    const auto pixels = predictedBy(single);
+    const auto counts = single.floats(passes::kFragmentCount, 1);
     for (const int tile : {2, 4}) {
       Bench bench(scene, tiled(oit, tile), size, machine());
       bench.draw();
-      const auto said = saidBy(bench);
+      const auto predicted = predictedBy(bench);
       const glm::ivec2 tiles = (size + tile - 1) / tile;
-      ASSERT_EQ(said.size(), static_cast<std::size_t>(tiles.x * tiles.y));
-      std::vector<std::size_t> deepest(said.size());
-      std::vector<float> most(said.size(), 0.0F);
+      ASSERT_EQ(predicted.size(), static_cast<std::size_t>(tiles.x * tiles.y));
+      std::vector<std::size_t> deepest(predicted.size());
+      std::vector<float> most(predicted.size(), 0.0F);
       for (std::size_t p = 0; p < counts.size(); ++p) {
         const auto width = static_cast<std::size_t>(size.x);
         const auto side = static_cast<std::size_t>(tile);
@@ -123,9 +122,9 @@ TEST_F(NetworkTiles, AreSpokenForByTheirDeepestPixel) {
         }
       }
       EXPECT_THAT(most, testing::Contains(0.0F)) << "some tiles are empty";
-      for (std::size_t t = 0; t < said.size(); ++t) {
+      for (std::size_t t = 0; t < predicted.size(); ++t) {
         const std::array<std::uint32_t, 4> nothing{};
-        ASSERT_EQ(said[t], most[t] == 0.0F ? nothing : pixels[deepest[t]])
+        ASSERT_EQ(predicted[t], most[t] == 0.0F ? nothing : pixels[deepest[t]])
             << describe(oit) << " tile " << tile << " number " << t;
       }
     }
@@ -143,19 +142,19 @@ TEST_F(NetworkTiles, AreReadBetweenTilesAsTheMirrorSays) {
     Bench bench(scene, tiled(random({.method = "kb-learned"}, 3), tile), size, machine());
     bench.draw();
     const glm::ivec2 tiles = (size + tile - 1) / tile;
-    const auto words = bench.words(Resource::NetworkOutput, 4);
+    const auto words = bench.words(passes::kNetworkOutput, 4);
     ASSERT_EQ(words.size(), static_cast<std::size_t>(4 * tiles.x * tiles.y));
-    std::vector<double> said;
+    std::vector<double> predicted;
     std::vector<double> covered;
     for (std::size_t i = 0; i < words.size(); i += 4) {
-      said.push_back(static_cast<double>(glm::unpackHalf2x16(words[i]).x));
+      predicted.push_back(static_cast<double>(glm::unpackHalf2x16(words[i]).x));
       const bool empty = std::all_of(words.begin() + static_cast<std::ptrdiff_t>(i),
                                      words.begin() + static_cast<std::ptrdiff_t>(i) + 4,
                                      [](std::uint32_t word) { return word == 0; });
       covered.push_back(empty ? 0.0 : 1.0);
     }
-    const auto counts = bench.floats(Resource::FragmentCount, 1);
-    const auto importance = bench.words(Resource::Importance, 1);
+    const auto counts = bench.floats(passes::kFragmentCount, 1);
+    const auto importance = bench.words(passes::kImportance, 1);
     std::size_t empty = 0;
     for (int y = 0; y < size.y; ++y) {
       for (int x = 0; x < size.x; ++x) {
@@ -166,7 +165,7 @@ TEST_F(NetworkTiles, AreReadBetweenTilesAsTheMirrorSays) {
           continue;
         }
         const double expected =
-            tile == 1 ? said[p] : outputBetween(said, covered, tiles, tile, {x, y});
+            tile == 1 ? predicted[p] : outputBetween(predicted, covered, tiles, tile, {x, y});
         // A step of fixed point, and single precision.
         ASSERT_NEAR(importance[p], 65536.0 * expected, 1.5) << x << "," << y << " tile " << tile;
       }
@@ -181,8 +180,8 @@ TEST_F(NetworkTiles, ShowTheirImportanceAsAHeatMap) {
   const scene::Scene scene = unlit(tangle(60, 3));
   Bench bench(scene, settings, {32, 24}, machine());
   bench.draw();
-  const auto importance = bench.words(Resource::Importance, 1);
-  const auto factors = bench.floats(Resource::ImportanceFactors, 4);
+  const auto importance = bench.words(passes::kImportance, 1);
+  const auto factors = bench.floats(passes::kImportanceFactors, 4);
   for (std::size_t p = 0; p < importance.size(); ++p) {
     // A half float.
     EXPECT_NEAR(factors[4 * p + 3], importance[p] / 65536.0, 5e-4) << p;
@@ -204,12 +203,12 @@ TEST_F(NetworkTiles, ForgetTilesOfFramesOfAnotherRate) {
       Bench fresh(scene, settings, {64, 48}, machine());
       fresh.renderer.setLevers({.resize = 2.0F});
       fresh.draw();
-      EXPECT_TRUE(fresh.renderer.plan().resized());
+      EXPECT_TRUE(fresh.renderer.plan().reduced());
       const std::string what = describe(oit) + " tile " + std::to_string(tile);
       EXPECT_EQ(countUnlike(used.linear(), fresh.linear()), 0U) << what;
       if (!fresh.renderer.plan().mapsImportance()) continue;
-      const auto importance = fresh.words(Resource::Importance, 1);
-      EXPECT_EQ(used.words(Resource::Importance, 1), importance) << what;
+      const auto importance = fresh.words(passes::kImportance, 1);
+      EXPECT_EQ(used.words(passes::kImportance, 1), importance) << what;
     }
   }
 }

@@ -109,7 +109,7 @@ std::string describe(const OitSettings& oit) {
          std::to_string(oit.fragmentBytes) + " bytes, k " + std::to_string(oit.kAve);
 }
 
-OitSettings learnedBids(double kAve, int fragmentBytes) {
+OitSettings learnedUtility(double kAve, int fragmentBytes) {
   return {.method = "kb-variable",
           .kAve = kAve,
           .fill = true,
@@ -169,7 +169,7 @@ std::vector<OitSettings> completeCases(int layers) {
           {.method = "kb-variable", .kAve = k, .fill = true, .tail = Tail::Mean},
           {.method = "kb-variable", .kAve = k, .fill = true, .importance = Predictor::Error},
           {.method = "kb-learned", .kAve = k, .fill = true},
-          learnedBids(k)};
+          learnedUtility(k)};
 }
 
 float largestDifference(const std::vector<float>& a, const std::vector<float>& b) {

@@ -44,8 +44,8 @@ void addRectangle(scene::Scene& scene, float distance, glm::vec2 low, glm::vec2 
 /// The options in one line, for messages.
 [[nodiscard]] std::string describe(const passes::OitSettings& oit);
 
-/// kb-variable as a network says it.
-[[nodiscard]] passes::OitSettings learnedBids(double kAve, int fragmentBytes = 16);
+/// kb-variable with utilities that a network corrects.
+[[nodiscard]] passes::OitSettings learnedUtility(double kAve, int fragmentBytes = 16);
 
 /// All combinations of tail x fill x importance x fragmentBytes x sync of the synchronised sorted
 /// k-buffers that are accepted, at this budget. Without culling and predicted counts.

@@ -11,8 +11,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
-
 constexpr glm::ivec2 kSmall{48, 40};
 
 class LayersN : public GlTest, public testing::WithParamInterface<int> {};
@@ -155,9 +153,9 @@ TEST_F(GlTest, OpaqueDepthHidesEveryFragmentBehindIt) {
 
 /// Sorted keys of each pixel of the exact method: the oracle of which fragments are nearest.
 std::map<std::size_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> keysOf(Bench& bench) {
-  const auto ranges = bench.words(Resource::FragmentRange, 2);
-  const auto fill = bench.words(Resource::FragmentFill, 1);
-  const auto keys = bench.bufferWords(Resource::FragmentKeys);
+  const auto ranges = bench.words(passes::kFragmentRange, 2);
+  const auto fill = bench.words(passes::kFragmentFill, 1);
+  const auto keys = bench.bufferWords(passes::kFragmentKeys);
   std::map<std::size_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> result;
   for (std::size_t p = 0; p < fill.size(); ++p) {
     for (std::size_t i = 0; i < fill[p]; ++i) {
@@ -179,9 +177,9 @@ TEST_P(Budget, IsNeverExceededAndTheNearestAreKept) {
   for (int i = 0; i < 2; ++i) {
     exact.draw();
     const passes::FrameResult result = variable.draw();
-    const auto ranges = variable.words(Resource::FragmentRange, 2);
-    const auto fill = variable.words(Resource::FragmentFill, 1);
-    const auto counts = variable.floats(Resource::FragmentCount, 1);
+    const auto ranges = variable.words(passes::kFragmentRange, 2);
+    const auto fill = variable.words(passes::kFragmentFill, 1);
+    const auto counts = variable.floats(passes::kFragmentCount, 1);
     const std::uint64_t slots = variable.renderer.plan().slots;
     EXPECT_LE(variable.renderer.bytes().oit, *variable.renderer.plan().budgetBytes);
     std::vector<bool> taken(slots, false);

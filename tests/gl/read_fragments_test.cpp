@@ -1,5 +1,5 @@
 // The fragments that are read back are those that the frame shows.
-#include "passes/oit/read_fragments.h"
+#include "passes/oit/statistics/read_fragments.h"
 
 #include <stdexcept>
 

@@ -4,11 +4,9 @@
 
 namespace macula::test {
 
-using frame::Resource;
-
 std::vector<Given> givenBy(const Bench& bench) {
-  const auto ranges = bench.words(Resource::FragmentRange, 2);
-  const auto counts = bench.floats(Resource::FragmentCount, 1);
+  const auto ranges = bench.words(passes::kFragmentRange, 2);
+  const auto counts = bench.floats(passes::kFragmentCount, 1);
   std::vector<Given> all(counts.size());
   for (std::size_t p = 0; p < counts.size(); ++p) {
     const bool tail = (ranges[2 * p + 1] & RANGE_TAIL) != 0;

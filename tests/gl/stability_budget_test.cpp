@@ -11,7 +11,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 using passes::Tail;
 
@@ -25,7 +24,7 @@ TEST_F(Promise, SlotsStayWithinTheBudgetForEveryOption) {
   int frames = 0;
   for (const double kAve : {0.02, 0.3, 1.0, 2.5, 6.0, 40.0}) {
     for (const OitSettings& oit : sortedCases(kAve)) {
-      if (oit.sync != "spinlock") continue;  // how fragments take turns changes no allocation
+      if (oit.sync != "spinlock") continue;  // per-pixel ordering changes no allocation
       const std::string what = describe(oit);
       const passes::RenderSettings settings = settingsOf(oit);
       Bench bench(scene, settings, kSize, machine());
@@ -48,7 +47,7 @@ TEST_F(Promise, SlotsStayWithinTheBudgetForEveryOption) {
       const std::vector<Given> given = givenBy(bench);
       const std::uint64_t sum = expectDisjoint(given, plan.slots, what);
       EXPECT_LE(sum, plan.slots) << what;
-      if (!plan.auctions()) continue;
+      if (!plan.sharesByUtility()) continue;
       EXPECT_EQ(sum, std::min<std::uint64_t>(plan.slots, f.generated)) << what;
       for (const Given& g : given) ASSERT_LE(g.slots, g.count) << what;
       if (oit.tail == Tail::Mean && oit.fragmentBytes == 16 && kAve >= 1.0) {
@@ -71,7 +70,7 @@ TEST_F(Promise, OneSlotIsABudgetToo) {
     // Where fewer slots than pixels are shared out by strips, shares are rounded down, here to
     // none.
     const std::uint64_t given = expectDisjoint(givenBy(bench), 1, describe(oit));
-    EXPECT_EQ(given, bench.renderer.plan().auctions() ? 1U : 0U) << describe(oit);
+    EXPECT_EQ(given, bench.renderer.plan().sharesByUtility() ? 1U : 0U) << describe(oit);
     EXPECT_TRUE(allFinite(bench.linear()));
   }
 }
@@ -95,28 +94,28 @@ TEST_F(Promise, MoreBudgetThanFragmentsIsExact) {
 /// for its next slot k that has a fragment to put there. @returns slots of each pixel
 std::vector<std::uint32_t> dHondt(const std::vector<std::uint32_t>& importance,
                                   const std::vector<std::uint32_t>& counts, std::uint64_t slots) {
-  using Bid = std::pair<double, std::size_t>;
-  std::priority_queue<Bid> bids;
+  using NextSlot = std::pair<double, std::size_t>;  // its marginal utility, its pixel
+  std::priority_queue<NextSlot> next;
   std::vector<std::uint32_t> k(counts.size(), 0);
   for (std::size_t p = 0; p < counts.size(); ++p) {
     if (counts[p] == 0) continue;
     k[p] = 1;
     --slots;
-    if (counts[p] > 1) bids.emplace(importance[p] / 2.0, p);
+    if (counts[p] > 1) next.emplace(importance[p] / 2.0, p);
   }
-  for (; slots > 0 && !bids.empty(); --slots) {
-    const std::size_t p = bids.top().second;
-    bids.pop();
+  for (; slots > 0 && !next.empty(); --slots) {
+    const std::size_t p = next.top().second;
+    next.pop();
     ++k[p];
-    if (k[p] < counts[p]) bids.emplace(importance[p] / (k[p] + 1.0), p);
+    if (k[p] < counts[p]) next.emplace(importance[p] / (k[p] + 1.0), p);
   }
   return k;
 }
 
-/// The highest price of a slot that was refused over the lowest of one that is held; the first slot
-/// of a pixel has no price. 1 or less where D'Hondt's method was followed to the letter.
-double priceGap(const std::vector<std::uint32_t>& importance,
-                const std::vector<std::uint32_t>& counts, const std::vector<std::uint32_t>& k) {
+/// The highest marginal utility of a slot that was not given over the lowest of one that was; a
+/// pixel's first slot does not count. 1 or less where D'Hondt's method was followed exactly.
+double utilityGap(const std::vector<std::uint32_t>& importance,
+                  const std::vector<std::uint32_t>& counts, const std::vector<std::uint32_t>& k) {
   double refused = 0.0;
   double held = 1e30;
   for (std::size_t p = 0; p < k.size(); ++p) {
@@ -133,8 +132,8 @@ TEST(FillMirror, AgreesWithACaseByHand) {
   EXPECT_EQ(dHondt(importance, counts, 5), (std::vector<std::uint32_t>{3, 1, 1, 0}));
   EXPECT_EQ(dHondt(importance, counts, 7), (std::vector<std::uint32_t>{4, 2, 1, 0}));
   EXPECT_EQ(dHondt(importance, counts, 99), counts) << "caps";
-  EXPECT_DOUBLE_EQ(priceGap(importance, counts, {3, 1, 1, 0}), 1.5 / 2.0);
-  EXPECT_DOUBLE_EQ(priceGap(importance, counts, {1, 3, 1, 0}), 3.0 / 1.0) << "a bad allocation";
+  EXPECT_DOUBLE_EQ(utilityGap(importance, counts, {3, 1, 1, 0}), 1.5 / 2.0);
+  EXPECT_DOUBLE_EQ(utilityGap(importance, counts, {1, 3, 1, 0}), 3.0 / 1.0) << "a bad allocation";
 }
 
 TEST_F(Promise, FillFollowsItsMirror) {
@@ -144,7 +143,7 @@ TEST_F(Promise, FillFollowsItsMirror) {
                 machine());
     bench.draw({0.3F, 0.4F});
     const std::vector<Given> given = givenBy(bench);
-    const auto importance = bench.words(Resource::Importance, 1);
+    const auto importance = bench.words(passes::kImportance, 1);
     std::vector<std::uint32_t> k;
     std::vector<std::uint32_t> counts;
     std::uint64_t fragments = 0;
@@ -155,13 +154,13 @@ TEST_F(Promise, FillFollowsItsMirror) {
     }
     ASSERT_LT(bench.renderer.plan().slots, fragments) << "slots are scarce";
     const auto mirror = dHondt(importance, counts, bench.renderer.plan().slots);
-    EXPECT_LE(priceGap(importance, counts, mirror), 1.0);
-    const double gap = priceGap(importance, counts, k);
+    EXPECT_LE(utilityGap(importance, counts, mirror), 1.0);
+    const double gap = utilityGap(importance, counts, k);
     // Two steps of the search and its margin on both sides: 0.25 octaves, 1.19, and rounding.
     EXPECT_LT(gap, 1.3) << "k " << kAve;
     std::uint64_t moved = 0;
     for (std::size_t p = 0; p < k.size(); ++p) moved += k[p] > mirror[p] ? k[p] - mirror[p] : 0U;
-    note("price gap", gap);
+    note("gap of marginal utility", gap);
     note("share of slots elsewhere than in the mirror",
          static_cast<double>(moved) / bench.renderer.plan().slots);
     EXPECT_LT(moved, bench.renderer.plan().slots / 20);

@@ -1,7 +1,6 @@
 // Views, sizes and moments at the edge: nothing to draw, odd windows, gaze outside, cuts.
 #include <gmock/gmock.h>
 
-#include "engine/gl/block_check.h"
 #include "oit_cases.h"
 
 namespace macula::test {
@@ -69,16 +68,6 @@ TEST_F(Edges, PassesNeedNoWaitBetweenThem) {
     EXPECT_EQ(shown[1], shown[3]) << describe(oit) << ", second frame";
   }
   machine().time.source = before;
-}
-
-TEST_F(Edges, ABlockWithoutItsBufferIsReported) {
-  glUseProgram(machine().programs.get({{"oit/one_k.comp"}, {}, {}}));
-  gl::BlockCheck::beginPass();
-  gl::BlockCheck::beforeUse();
-  EXPECT_THAT(debugLog().messages(),
-              testing::IsSupersetOf({testing::HasSubstr("oit/one_k.comp: storage block Bins"),
-                                     testing::HasSubstr("oit/one_k.comp: storage block Totals")}));
-  debugLog().clear();
 }
 
 TEST_F(Edges, EverythingOffScreenShowsWhatIsBehind) {

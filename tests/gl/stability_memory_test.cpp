@@ -86,7 +86,7 @@ TEST_F(Memory, AnOverflowLeavesOtherPixelsAlone) {
   Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
   const std::uint64_t generated = exact.draw().fragments->generated;
   const std::vector<float> wanted = exact.linear();
-  const auto counts = exact.floats(frame::Resource::FragmentCount, 1);
+  const auto counts = exact.floats(passes::kFragmentCount, 1);
   for (const char* sync : {"ordered", "spinlock"}) {
     const OitSettings array{.method = "ab-array", .sync = sync, .layers = 5};
     // Half of what the scene needs.
@@ -101,7 +101,7 @@ TEST_F(Memory, AnOverflowLeavesOtherPixelsAlone) {
       const std::vector<float> rgb = bench.linear();
       std::vector<std::uint32_t> table;
       if (bench.renderer.plan().method->hasRanges()) {
-        table = bench.words(frame::Resource::FragmentRange, 2);
+        table = bench.words(passes::kFragmentRange, 2);
       }
       std::size_t whole = 0;
       std::size_t unlike = 0;

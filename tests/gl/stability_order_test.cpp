@@ -150,14 +150,14 @@ std::vector<std::uint32_t> tailWords(const Bench& bench) {
   const passes::OitPlan& plan = bench.renderer.plan();
   std::vector<std::uint32_t> words;
   if (plan.denseTail()) {
-    for (const float sum : bench.floats(frame::Resource::TailSums, 4)) {
+    for (const float sum : bench.floats(passes::kTailSums, 4)) {
       words.push_back(std::bit_cast<std::uint32_t>(sum));
     }
     return words;
   }
-  const auto fill = bench.words(frame::Resource::FragmentFill, 1);
-  const auto keys = bench.bufferWords(frame::Resource::FragmentKeys);
-  const auto colors = bench.bufferWords(frame::Resource::FragmentColors);
+  const auto fill = bench.words(passes::kFragmentFill, 1);
+  const auto keys = bench.bufferWords(passes::kFragmentKeys);
+  const auto colors = bench.bufferWords(passes::kFragmentColors);
   for (std::size_t p = 0; p < fill.size(); ++p) {
     if ((fill[p] & RANGE_TAIL) == 0) continue;
     const std::size_t at = 2 * (plan.layers * p + plan.layers - 1);  // the last slot

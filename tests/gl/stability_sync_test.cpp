@@ -1,4 +1,4 @@
-// Turns that are not had: locks that are given up, and insertion without any.
+// Per-pixel ordering that fails: locks that are given up, and insertion without any.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -60,16 +60,16 @@ std::vector<OitSettings> lockedCases() {
   return all;
 }
 
-class Turns : public GlTest {};
+class Ordering : public GlTest {};
 
-TEST_F(Turns, AreNeverMissedWithTheUsualBound) {
+TEST_F(Ordering, LocksAreNeverGivenUpWithTheUsualBound) {
   for (const OitSettings& oit : lockedCases()) {
     Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, machine());
     EXPECT_EQ(bench.draw().lockFailures, 0U) << describe(oit);
   }
 }
 
-TEST_F(Turns, GivenUpEverywhereAreCountedAsLost) {
+TEST_F(Ordering, LocksGivenUpEverywhereAreCountedAsLost) {
   const ShadersWithLockBound shaders("0");
   passes::Machine own;
   own.programs = gl::ProgramCache(shaders.folder());
@@ -85,8 +85,8 @@ TEST_F(Turns, GivenUpEverywhereAreCountedAsLost) {
   }
 }
 
-TEST_F(Turns, GivenUpInPlacesLeaveTheOthersAlone) {
-  // No try in even columns, one in odd ones, which is enough where nobody contends.
+TEST_F(Ordering, LocksGivenUpInPlacesLeaveTheOthersAlone) {
+  // No try in even columns, one in odd ones, which is enough without contention.
   const ShadersWithLockBound shaders("(int(gl_FragCoord.x) & 1)");
   passes::Machine own;
   own.programs = gl::ProgramCache(shaders.folder());
@@ -116,7 +116,7 @@ image::Image8 displayed(const Bench& bench, glm::ivec2 size) {
   return image;
 }
 
-TEST_F(Turns, WithoutThemPixelsMayDiffer) {
+TEST_F(Ordering, WithoutItPixelsMayDiffer) {
   constexpr glm::ivec2 kLarger{96, 80};
   for (const Tail tail : {Tail::None, Tail::Mean}) {
     for (const int bytes : {16, 8}) {
@@ -132,7 +132,7 @@ TEST_F(Turns, WithoutThemPixelsMayDiffer) {
           measure::countUnlikePixels(displayed(fixed, kLarger), displayed(racy, kLarger));
       note("pixels unlike, " + describe(oit), static_cast<double>(unlike));
       if (machine().ordered.passed) {
-        EXPECT_EQ(unlike, 0U) << "this rasteriser takes turns by itself";
+        EXPECT_EQ(unlike, 0U) << "this rasteriser orders fragments by itself";
       }
     }
   }

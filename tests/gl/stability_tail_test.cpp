@@ -6,13 +6,12 @@
 #include "engine/measure/fragment_image.h"
 #include "engine/scene/procedural/recipes.h"
 #include "oit_cases.h"
-#include "passes/oit/read_fragments.h"
+#include "passes/oit/statistics/read_fragments.h"
 #include "shared/oit_constants.h"
 
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 using passes::Predictor;
 using passes::Tail;
@@ -29,7 +28,7 @@ std::vector<std::uint32_t> slotsFromTop(const Bench& bench, glm::ivec2 size) {
   const std::uint32_t constant = plan.layers + (plan.denseTail() ? 1U : 0U) + 1U - plan.tailSlots();
   std::fill(slots.begin(), slots.end(), constant);
   if (!plan.method->hasRanges()) return slots;
-  const auto ranges = bench.words(Resource::FragmentRange, 2);
+  const auto ranges = bench.words(passes::kFragmentRange, 2);
   for (std::size_t p = 0; p < slots.size(); ++p) {
     const std::size_t fromTop = (slots.size() / width - 1 - p / width) * width + p % width;
     const std::uint32_t range = ranges[2 * p + 1];

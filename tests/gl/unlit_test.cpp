@@ -5,7 +5,6 @@
 namespace macula::test {
 namespace {
 
-using frame::Resource;
 using passes::OitSettings;
 using passes::Predictor;
 
@@ -53,16 +52,18 @@ TEST_F(Unlit, IsPredictedByItsBaseColourAlone) {
   const OitSettings colors{.method = "kb-learned", .kAve = 1.0, .fill = true};
   for (const bool textured : {false, true}) {
     for (const OitSettings& oit : {slices, colors}) {
-      Bench dark(emitting(0.0F, textured), settingsOf(oit), kSize, machine());
-      Bench bright(emitting(1.0F, textured), settingsOf(oit), kSize, machine());
+      passes::RenderSettings settings = settingsOf(oit);
+      settings.readBack = true;
+      Bench dark(emitting(0.0F, textured), settings, kSize, machine());
+      Bench bright(emitting(1.0F, textured), settings, kSize, machine());
       dark.draw();
       bright.draw();
       EXPECT_EQ(dark.linear(), bright.linear()) << describe(oit);
       if (oit.method == "kb-learned") {
-        EXPECT_EQ(dark.floats(Resource::ColorSums, 4), bright.floats(Resource::ColorSums, 4));
-        EXPECT_EQ(dark.floats(Resource::NearestColor, 4), bright.floats(Resource::NearestColor, 4));
+        EXPECT_EQ(dark.floats(passes::kColorSums, 4), bright.floats(passes::kColorSums, 4));
+        EXPECT_EQ(dark.floats(passes::kNearestColor, 4), bright.floats(passes::kNearestColor, 4));
       } else {
-        EXPECT_EQ(dark.bufferWords(Resource::SliceSums), bright.bufferWords(Resource::SliceSums));
+        EXPECT_EQ(dark.bufferWords(passes::kSliceSums), bright.bufferWords(passes::kSliceSums));
       }
     }
   }

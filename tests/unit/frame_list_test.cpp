@@ -9,21 +9,43 @@
 
 #include "engine/core/file.h"
 #include "oit_combinations.h"
+#include "passes/resources.h"
 
 namespace macula::passes {
 namespace {
 
+constexpr glm::ivec2 kSize{96, 64};
+
+frame::FrameInputs sized(const scene::SceneFacts& facts) {
+  frame::FrameInputs inputs = inputsOf(facts);
+  inputs.outputSize = inputs.displaySize = kSize;
+  return inputs;
+}
+
+OitPlan sized(OitPlan plan) {
+  plan.imageSize = plan.size = kSize;
+  return plan;
+}
+
+const scene::SceneFacts kEverything{.opaqueTriangles = 1,
+                                    .transparentTriangles = 1,
+                                    .litOpaque = true,
+                                    .litTransparent = true,
+                                    .unlitOpaque = true,
+                                    .shadowLight = true,
+                                    .environment = true};
+
 std::vector<std::string> running(const frame::FrameList& list, const scene::SceneFacts& facts) {
   std::vector<std::string> names;
-  for (const frame::PassReport& row : list.report(inputsOf(facts))) {
+  for (const frame::PassReport& row : list.report(sized(facts))) {
     EXPECT_FALSE(row.reason.empty()) << row.name;
     if (row.runs) names.emplace_back(row.name);
   }
   return names;
 }
 
-/// Nothing is resized.
-const LodPlan kFullRate;
+/// Everything at full rate.
+const LodPlan kFullRate{.size = kSize, .texels = kSize};
 
 TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RenderSettings settings;
@@ -32,12 +54,16 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
     for (const SyncMode sync : test::syncModesOf(methodById(options.method))) {
       for (const bool factors : {false, true}) {
         settings.heatmap.map = factors ? "importance" : "none";
-        OitPlan plan = test::planOf(options, sync);
+        OitPlan plan = sized(test::planOf(options, sync));
         plan.factorMaps = factors;
         if (factors && !plan.mapsImportance()) continue;
-        EXPECT_THAT(makeFrameList(settings, plan, kFullRate).validate(), testing::IsEmpty())
-            << test::describe(options) << " sync " << nameOf(sync);
-        ++frames;
+        const frame::FrameList list = makeFrameList(settings, plan, kFullRate);
+        for (const bool history : {false, true}) {
+          plan.historyValid = history;
+          EXPECT_THAT(list.validate(sized(kEverything)), testing::IsEmpty())
+              << test::describe(options) << " sync " << nameOf(sync) << " history " << history;
+          ++frames;
+        }
       }
     }
   }
@@ -45,22 +71,27 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
   RecordProperty("frames", frames);
 }
 
-TEST(FrameList, IsSoundForEveryCombinationWithResizedTransparency) {
+TEST(FrameList, IsSoundForEveryCombinationWithReducedRateTransparency) {
   const RenderSettings settings;
-  const scene::SceneFacts facts{.opaqueTriangles = 1, .transparentTriangles = 1, .litOpaque = true};
+  const LodSettings reduced{.resize = 2.0, .transparency = true};
+  const frame::FrameInputs inputs = sized(kEverything);
   LodPlan lod;
-  planLod(lod, {.resize = 2.0, .transparency = true}, {}, facts, false);
+  planLod(lod, reduced, {}, kEverything, false);
+  planFrame(lod, reduced, {}, inputs, 1);
   ASSERT_TRUE(lod.transparency);
   for (const OitSettings& options : test::acceptedSettings()) {
-    OitPlan plan = test::planOf(options, SyncMode::Ordered);
+    OitPlan plan = sized(test::planOf(options, SyncMode::Ordered));
     plan.resizable = true;
     const frame::FrameList list = makeFrameList(settings, plan, lod);
-    EXPECT_THAT(list.validate(), testing::IsEmpty()) << test::describe(options);
-    EXPECT_THAT(running(list, facts),
+    for (const glm::ivec2 size : {kSize, lod.texels}) {
+      plan.size = size;
+      EXPECT_THAT(list.validate(inputs), testing::IsEmpty())
+          << test::describe(options) << (plan.reduced() ? " reduced" : " full");
+    }
+    EXPECT_THAT(running(list, kEverything),
                 testing::IsSupersetOf({"lod.depth", "lod.shade", "lod.transparency"}));
-    EXPECT_THAT(list.neededResources(inputsOf(facts)),
-                testing::IsSupersetOf({frame::Resource::Depth, frame::Resource::ResizedDepth,
-                                       frame::Resource::HdrColor, frame::Resource::ResizedColor}));
+    EXPECT_THAT(list.neededResources(inputs),
+                testing::IsSupersetOf({&kDepth, &kReducedDepth, &kHdrColor, &kReducedColor}));
   }
 }
 
@@ -98,7 +129,7 @@ TEST(FrameList, ResizesTransparencyOnlyWhereItIsAskedFor) {
 
 TEST(FrameList, IsSoundForEveryLevelOfDetail) {
   const RenderSettings settings;
-  const OitPlan plan{.method = &methodById("kb-variable")};
+  const OitPlan plan = sized({.method = &methodById("kb-variable")});
   const scene::SceneFacts facts{.opaqueTriangles = 1,
                                 .litOpaque = true,
                                 .shadowLight = true,
@@ -116,8 +147,10 @@ TEST(FrameList, IsSoundForEveryLevelOfDetail) {
         foveation.enabled = foveated;
         LodPlan planned;
         planLod(planned, lod, foveation, facts, false);
+        planFrame(planned, lod, foveation, sized(facts), 1);
         const frame::FrameList list = makeFrameList(settings, plan, planned);
-        EXPECT_THAT(list.validate(), testing::IsEmpty()) << what << ' ' << reconstruction;
+        EXPECT_THAT(list.validate(sized(facts)), testing::IsEmpty())
+            << what << ' ' << reconstruction;
         EXPECT_EQ(testing::Matches(testing::Contains("lighting"))(running(list, facts)),
                   std::string_view(what) != "shading");
       }
@@ -163,13 +196,13 @@ TEST(FrameList, RunsOnlyWhatTheSceneNeeds) {
 
 TEST(FrameList, ReleasesWhatAMethodDoesNotUse) {
   const RenderSettings settings;
-  const OitPlan exact{.method = &methodById("ab-sbuffer")};
-  const auto needed = makeFrameList(settings, exact, kFullRate)
-                          .neededResources(inputsOf({.transparentTriangles = 1}));
-  EXPECT_THAT(needed, testing::Contains(frame::Resource::FragmentKeys));
-  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::Importance)));
-  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::FragmentLock)));
-  EXPECT_THAT(needed, testing::Not(testing::Contains(frame::Resource::ShadowMap)));
+  const OitPlan exact = sized({.method = &methodById("ab-sbuffer")});
+  const auto needed =
+      makeFrameList(settings, exact, kFullRate).neededResources(sized({.transparentTriangles = 1}));
+  EXPECT_THAT(needed, testing::Contains(&kFragmentKeys));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(&kImportance)));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(&kFragmentLinks)));
+  EXPECT_THAT(needed, testing::Not(testing::Contains(&kShadowMap)));
 }
 
 /// Includes of the sources in a folder, as "file: included".
@@ -200,12 +233,28 @@ TEST(Rooms, TheEngineNeverIncludesPassesOrTools) {
 TEST(Rooms, APassNeverNamesAnotherPass) {
   for (const std::string& line : includesOf("passes")) {
     if (line.find("_pass.h") == std::string::npos) continue;
-    if (line.ends_with("/oit_pass.h")) continue;  // the base class of many, itself no pass
+    // Base classes of many, themselves no passes.
+    if (line.ends_with("/oit_pass.h") || line.ends_with("/lod_pass.h")) continue;
     const std::string file = line.substr(0, line.find('.'));
     // The list names all; the settings gather what passes declare as theirs.
     if (file == "frame_list" || file == "render_settings") continue;
     EXPECT_NE(line.find(file + ".h"), std::string::npos) << line;
   }
+}
+
+TEST(Rooms, AFeatureNamesNoFactoryButItsOwn) {
+  const std::regex factory(R"re((\S+) make\w+Pass\()re");
+  int made = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           std::filesystem::path(MACULA_SOURCE_DIR) / "passes")) {
+    const std::filesystem::path file = entry.path();
+    if (file.extension() != ".cpp" || file.stem() == "frame_list") continue;
+    const std::string text = readTextFile(file);
+    for (std::sregex_iterator it(text.begin(), text.end(), factory), end; it != end; ++it, ++made) {
+      EXPECT_THAT((*it)[1].str(), testing::EndsWith("PassPtr")) << file << ": " << it->str();
+    }
+  }
+  EXPECT_GT(made, 30);
 }
 
 }  // namespace

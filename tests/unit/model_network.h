@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "network_builder.h"
-#include "passes/oit/network_layout.h"
+#include "passes/oit/learned/network_layout.h"
 
 namespace macula::test {
 

@@ -1,5 +1,5 @@
 // Networks of importance: what a file must hold for a model, and the text that shaders get of it.
-#include "passes/oit/network_layout.h"
+#include "passes/oit/learned/network_layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -135,13 +135,13 @@ TEST_F(NetworkFiles, WithOtherFeaturesOrOutputsAreRefused) {
   for (const NetworkModel model : kModels) {
     Network other = test::randomNetwork(model, {4}, 1);
     std::swap(other.features[2], other.features[3]);
-    expectRefused(model, other, {"its features are", "train it anew"});
+    expectRefused(model, other, {"its features are", "train it for this version"});
     other = test::randomNetwork(model, {4}, 1);
     other.features.back() = "weather";
     expectRefused(model, other, {"its features are", "weather"});
     other = test::randomNetwork(model, {4}, 1);
     other.outputs.front() = "weather";
-    expectRefused(model, other, {"its outputs are 'weather", "train it anew"});
+    expectRefused(model, other, {"its outputs are 'weather", "train it for this version"});
   }
 }
 
@@ -177,10 +177,10 @@ TEST(NetworkText, OfASmallNetworkIsExactlyThis) {
   const std::string hidden =
       "float a0=(x[0]-1.0)*0.5;float a1=(x[1]-(-2.0))*2.0;"
       "float b0=max(0.0,0.25+a0*1.0+a1*(-2.5));float b1=max(0.0,(-1.0)+a1*3.0);";
-  EXPECT_EQ(bodyOf(network), hidden + "said[0]=7.0+b0*(-4.0)+b1*0.125;");
+  EXPECT_EQ(bodyOf(network), hidden + "y[0]=7.0+b0*(-4.0)+b1*0.125;");
   Network sigmoid = network;
   sigmoid.outputActivation = OutputActivation::Sigmoid;
-  EXPECT_EQ(bodyOf(sigmoid), hidden + "said[0]=1.0/(1.0+exp(-(7.0+b0*(-4.0)+b1*0.125)));");
+  EXPECT_EQ(bodyOf(sigmoid), hidden + "y[0]=1.0/(1.0+exp(-(7.0+b0*(-4.0)+b1*0.125)));");
   // The same by network::evaluate: x = (2, -1), a = (0.5, 2), b = (0, 5).
   EXPECT_EQ(network::evaluate(network, std::vector{2.0F, -1.0F}), std::vector{7.625F});
 }
@@ -189,7 +189,7 @@ TEST(NetworkText, HasEveryOutput) {
   Network network = line(0.0F, 1.0F, 1.0F, 0.0F);
   network.outputs = {"y", "z"};
   network.layers[0] = {.inputs = 1, .outputs = 2, .weights = {2.0F, 3.0F}, .bias = {4.0F, 5.0F}};
-  EXPECT_EQ(bodyOf(network), "float a0=(x[0]-0.0)*1.0;said[0]=4.0+a0*2.0;said[1]=5.0+a0*3.0;");
+  EXPECT_EQ(bodyOf(network), "float a0=(x[0]-0.0)*1.0;y[0]=4.0+a0*2.0;y[1]=5.0+a0*3.0;");
 }
 
 TEST(NetworkText, WritesNumbersThatReadBackAsTheSameFloats) {
@@ -198,7 +198,7 @@ TEST(NetworkText, WritesNumbersThatReadBackAsTheSameFloats) {
   EXPECT_THAT(bodyOf(line(0, 1, kLeast, 0)), HasSubstr("a0*1.40129846e-45;"));
   EXPECT_THAT(bodyOf(line(0, 1, -8e9F, 0)), HasSubstr("a0*(-8e+09);"));
   EXPECT_THAT(bodyOf(line(0, 1, 16777216.0F, 0)), HasSubstr("a0*16777216.0;"));
-  EXPECT_THAT(bodyOf(line(0, 1, 1, 0.1F)), HasSubstr("said[0]=0.100000001+"));
+  EXPECT_THAT(bodyOf(line(0, 1, 1, 0.1F)), HasSubstr("y[0]=0.100000001+"));
   const Network random = test::randomNetwork(NetworkModel::Thesis, {3}, 7);
   const std::string text = bodyOf(random);
   // a0 = (x[0] - mean) * scale, and the first weight of the last layer.
@@ -216,7 +216,7 @@ TEST(NetworkText, WritesNumbersThatReadBackAsTheSameFloats) {
 TEST(NetworkText, OfMinusZeroIsNoDecrement) {
   // "x[0]--0.0" would take one off x[0].
   EXPECT_EQ(bodyOf(line(-0.0F, 1.0F, 1.0F, -0.0F)),
-            "float a0=(x[0]-(-0.0))*1.0;said[0]=(-0.0)+a0*1.0;");
+            "float a0=(x[0]-(-0.0))*1.0;y[0]=(-0.0)+a0*1.0;");
 }
 
 TEST(NetworkDefines, SayModelSizesAndSlices) {

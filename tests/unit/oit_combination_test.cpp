@@ -1,4 +1,4 @@
-// Which options of transparency go together, and what is said about those that do not.
+// Which options of transparency go together, and the messages about those that do not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,16 +62,18 @@ const std::vector<Refused>& refused() {
        "depth slices"},
       {{.method = "kb-learned", .count = CountSource::Predicted},
        "oit.count:",
-       "the network of kb-learned sees what a count pass gathers; use --oit.count drawn"},
+       "the network of kb-learned reads what a count pass sums; use --oit.count drawn"},
       {{.tail = Tail::Mean, .fragmentBytes = 8, .count = CountSource::Predicted},
        "oit.count:",
        "16 bytes"},
       {{.cull = Cull::Occupancy, .count = CountSource::Predicted}, "oit.count:", "culling needs"},
-      {{.method = "kb-racy", .sync = "spinlock"}, "oit.sync:", "kb-fixed without turns"},
-      {{.method = "kb-atomic", .sync = "spinlock"}, "oit.sync:", "need no turns"},
-      {{.method = "kb-stencil", .sync = "ordered"}, "oit.sync:", "need no turns"},
-      {{.method = "blend", .sync = "ordered"}, "oit.sync:", "need no turns"},
-      {{.method = "peel", .sync = "none"}, "oit.sync:", "need no turns"},
+      {{.method = "kb-racy", .sync = "spinlock"},
+       "oit.sync:",
+       "kb-fixed without per-pixel ordering"},
+      {{.method = "kb-atomic", .sync = "spinlock"}, "oit.sync:", "need no per-pixel ordering"},
+      {{.method = "kb-stencil", .sync = "ordered"}, "oit.sync:", "need no per-pixel ordering"},
+      {{.method = "blend", .sync = "ordered"}, "oit.sync:", "need no per-pixel ordering"},
+      {{.method = "peel", .sync = "none"}, "oit.sync:", "need no per-pixel ordering"},
       {{.method = "ab-sbuffer", .sync = "none"}, "oit.sync:", "atomic counters"},
       {{.method = "ab-list", .sync = "none"}, "oit.sync:", "atomic counters"},
       {{.method = "ab-sbuffer", .cull = Cull::Occupancy}, "oit.cull:", "use a k-buffer"},

@@ -47,12 +47,12 @@ inline std::vector<passes::OitSettings> acceptedSettings() {
   return all;
 }
 
-/// The ways in which a method's fragments can take turns.
+/// The kinds of per-pixel ordering that a method's fragments can have.
 inline std::vector<passes::SyncMode> syncModesOf(const passes::Method& method) {
   using passes::SyncMode;
   if (method.isRacy()) return {SyncMode::None};
   std::vector<SyncMode> modes{SyncMode::Ordered, SyncMode::Spinlock, SyncMode::Interlock};
-  if (method.insertion == passes::Insertion::Sorted) modes.push_back(SyncMode::None);
+  if (method.sorts()) modes.push_back(SyncMode::None);
   return modes;
 }
 

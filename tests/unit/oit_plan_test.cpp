@@ -1,19 +1,29 @@
-// Budgets and the method table, by hand.
+// Budgets, the method table and the predicates of the plan, by hand.
 #include "passes/oit/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "oit_combinations.h"
+#include "passes/frame_list.h"
+#include "passes/oit/slots.h"
 
 namespace macula::passes {
 namespace {
 
-OitPlan planned(const OitSettings& settings, std::uint64_t samples) {
+const OrderedCheck kOrdered{.allowed = true, .passed = true, .reason = ""};
+
+void planOn(OitPlan& plan, const OitSettings& settings, std::uint64_t samples,
+            const gl::Capabilities& device) {
+  planMethod(plan,
+             {.settings = settings, .device = device, .ordered = kOrdered, .samples = samples});
+}
+
+OitPlan planned(const OitSettings& settings, std::uint64_t samples,
+                const gl::Capabilities& device = {}) {
   OitPlan plan;
-  plan.method = &methodById(settings.method);
-  plan.options = settings;
-  planBudget(plan, samples);
+  planOn(plan, settings, samples, device);
   return plan;
 }
 
@@ -93,47 +103,90 @@ TEST(Methods, OneTakesImportanceFromANetwork) {
   for (const Method& method : methods()) {
     EXPECT_EQ(method.learnsImportance(), method.id == "kb-learned") << method.id;
   }
-  const Method& learned = methodById("kb-learned");
-  const Method& variable = methodById("kb-variable");
-  EXPECT_EQ(learned.allocation, variable.allocation);
-  EXPECT_EQ(learned.insertion, variable.insertion);
-  EXPECT_FALSE(learned.exact);
-  EXPECT_TRUE(learned.counts() && learned.hasBudget() && learned.isKBuffer());
-  EXPECT_FALSE(learned.isRacy() || learned.grows());
 }
 
-/// What a plan says of networks, in the order of its functions.
-struct Said {
-  bool usesNetwork, learnsBids, gathersColors, mapsImportance, keepsFrontNormal, slices, findsRange,
-      auctions;
-  bool operator==(const Said&) const = default;
+bool implies(bool a, bool b) {
+  return !a || b;
+}
+
+TEST(Methods, FactsImplyWhatTheirCommentsSay) {
+  for (const Method& method : methods()) {
+    SCOPED_TRACE(method.id);
+    const Allocation& a = method.allocation;
+    const Insertion& i = method.insertion;
+    EXPECT_TRUE(implies(a.shared, a.counts && a.budget));
+    EXPECT_TRUE(implies(a.importance, a.shared));
+    EXPECT_TRUE(implies(a.learned, a.importance));
+    EXPECT_TRUE(implies(a.adjusts, a.budget));
+    EXPECT_FALSE(a.constant && (a.counts || a.grows));
+    EXPECT_EQ(a.planSlots != nullptr, method.stores());
+    EXPECT_EQ(a.define != nullptr, method.counts());
+    EXPECT_TRUE(implies(i.sorts, i.fills));
+    EXPECT_TRUE(implies(i.fills || i.links || i.keysFirst, i.captured));
+    EXPECT_TRUE(implies(i.captured, method.stores()));
+    EXPECT_TRUE(implies(!i.noTail.empty(), !i.sorts && !i.keysFirst));
+    EXPECT_TRUE(implies(method.racy, method.sorts()));
+    EXPECT_TRUE(implies(method.exact, method.grows() && i.provesAll));
+  }
+}
+
+TEST(Methods, NamePassesOfTheFrame) {
+  const RenderSettings settings;
+  const OitPlan plan{.method = &methodById("blend")};
+  const LodPlan lod;
+  std::vector<std::string> known;
+  for (const frame::PassReport& row : makeFrameList(settings, plan, lod).report(inputsOf({}))) {
+    known.emplace_back(row.name);
+  }
+  int named = 0;
+  for (const Method& method : methods()) {
+    for (const PassNames& names : {method.allocation.passes, method.insertion.passes}) {
+      for (const std::string_view name : names) {
+        if (name.empty()) continue;
+        EXPECT_THAT(known, testing::Contains(std::string(name))) << method.id;
+        EXPECT_TRUE(method.runs(name));
+        ++named;
+      }
+    }
+    EXPECT_FALSE(method.runs("oit.resolve")) << "which many methods run";
+  }
+  EXPECT_GE(named, 8)
+      << "blend, wboit, peel, kb-stencil, kb-atomic and kb-plus have passes of their own";
+}
+
+/// The predicates around networks.
+struct Needs {
+  bool usesNetwork, learnsUtility, gathersColors, mapsImportance, keepsFrontNormal, slices,
+      findsRange, sharesByUtility;
+  bool operator==(const Needs&) const = default;
 };
 
-Said saidOf(const OitSettings& settings) {
+Needs needsOf(const OitSettings& settings) {
   OitPlan plan;
   plan.method = &methodById(settings.method);
   plan.options = settings;
-  return {plan.usesNetwork(),      plan.learnsBids(), plan.gathersColors(), plan.mapsImportance(),
-          plan.keepsFrontNormal(), plan.slices(),     plan.findsRange(),    plan.auctions()};
+  return {plan.usesNetwork(),    plan.learnsUtility(),    plan.gathersColors(),
+          plan.mapsImportance(), plan.keepsFrontNormal(), plan.slices(),
+          plan.findsRange(),     plan.sharesByUtility()};
 }
 
-TEST(Plan, SaysWhatANetworkNeeds) {
+TEST(Plan, KnowsWhatANetworkNeeds) {
   const OitSettings learned{.fill = true, .tail = Tail::Mean, .importance = Predictor::Learned};
-  //                       uses   bids   colours maps  front  slices range  auctions
-  EXPECT_EQ(saidOf({}), (Said{false, false, false, true, true, false, false, false}));
-  EXPECT_EQ(saidOf({.cull = Cull::Occupancy}),
-            (Said{false, false, false, true, true, false, true, false}));
-  EXPECT_EQ(saidOf({.importance = Predictor::Error}),
-            (Said{false, false, false, false, false, true, true, true}));
-  EXPECT_EQ(saidOf(learned), (Said{true, true, false, false, false, true, true, true}));
-  EXPECT_EQ(saidOf({.method = "kb-learned"}),
-            (Said{true, false, true, true, false, false, true, false}));
-  EXPECT_EQ(saidOf({.method = "kb-learned", .fill = true}),
-            (Said{true, false, true, true, false, false, true, true}));
+  //                       uses  utility colours maps front  slices range  shares
+  EXPECT_EQ(needsOf({}), (Needs{false, false, false, true, true, false, false, false}));
+  EXPECT_EQ(needsOf({.cull = Cull::Occupancy}),
+            (Needs{false, false, false, true, true, false, true, false}));
+  EXPECT_EQ(needsOf({.importance = Predictor::Error}),
+            (Needs{false, false, false, false, false, true, true, true}));
+  EXPECT_EQ(needsOf(learned), (Needs{true, true, false, false, false, true, true, true}));
+  EXPECT_EQ(needsOf({.method = "kb-learned"}),
+            (Needs{true, false, true, true, false, false, true, false}));
+  EXPECT_EQ(needsOf({.method = "kb-learned", .fill = true}),
+            (Needs{true, false, true, true, false, false, true, true}));
   for (const Method& method : methods()) {
-    if (method.allocation == Allocation::ImportanceMap) continue;
-    const Said said = saidOf({.method = std::string(method.id)});
-    EXPECT_EQ(said, (Said{false, false, false, false, false, false, false, false})) << method.id;
+    if (method.followsImportance()) continue;
+    const Needs needs = needsOf({.method = std::string(method.id)});
+    EXPECT_EQ(needs, (Needs{false, false, false, false, false, false, false, false})) << method.id;
   }
   OitPlan plan;
   plan.method = &methodById("kb-learned");
@@ -143,18 +196,109 @@ TEST(Plan, SaysWhatANetworkNeeds) {
   EXPECT_EQ(plan.networkModel(), NetworkModel::Learned);
 }
 
-TEST(Sync, AutoPrefersWhatTheMachineDoesItself) {
-  gl::Capabilities machine;
-  OrderedCheck ordered{.allowed = true, .passed = true, .reason = ""};
-  EXPECT_EQ(chooseSync(SyncMode::Auto, machine, ordered), SyncMode::Ordered);
-  machine.fragmentShaderInterlock = true;
-  EXPECT_EQ(chooseSync(SyncMode::Auto, machine, ordered), SyncMode::Interlock);
-  machine.fragmentShaderInterlock = false;
+/// Every implication that the comments of OitPlan state.
+void expectImplications(const OitPlan& p) {
+  const Method& m = *p.method;
+  EXPECT_TRUE(implies(p.reduced(), p.resizable));
+  EXPECT_TRUE(implies(p.usesLocks(), p.sorted()));
+  EXPECT_TRUE(implies(p.packed(), p.sorted()));
+  EXPECT_TRUE(implies(p.hasTail(), m.hasBudget()));
+  EXPECT_EQ(p.hasTail(), p.tailInSlot() != p.denseTail());
+  EXPECT_FALSE(p.tailInSlot() && p.denseTail());
+  EXPECT_TRUE(implies(p.tailInSlot(), p.sorted()));
+  EXPECT_TRUE(implies(p.denseTail(), m.insertion.keysFirst));
+  EXPECT_TRUE(implies(p.dynamicTail(), p.tailInSlot()));
+  EXPECT_TRUE(implies(p.emptiesTails(), p.tailInSlot() && m.hasRanges()));
+  EXPECT_TRUE(implies(p.predictsCounts(), p.mapsImportance() && p.sharesByUtility()));
+  EXPECT_FALSE(p.predictsCounts() && (p.culls() || p.packed() || p.usesNetwork()));
+  EXPECT_TRUE(implies(p.sharesByUtility(), m.sharesBudget()));
+  EXPECT_TRUE(implies(p.mapsImportance(), m.followsImportance() && !p.slices()));
+  EXPECT_TRUE(implies(p.keepsFrontNormal(), p.mapsImportance() && !p.usesNetwork()));
+  EXPECT_TRUE(implies(p.slices(), p.sharesByUtility() && p.findsRange() && p.listsTiles()));
+  EXPECT_TRUE(implies(p.usesNetwork(), p.listsTiles()));
+  EXPECT_EQ(p.usesNetwork(), p.learnsUtility() != p.gathersColors());
+  EXPECT_FALSE(p.learnsUtility() && p.gathersColors());
+  EXPECT_TRUE(implies(p.learnsUtility(), p.slices() && p.tailInSlot()));
+  EXPECT_TRUE(implies(p.gathersColors(), p.mapsImportance() && p.findsRange()));
+  EXPECT_TRUE(implies(p.culls(), p.findsRange() && m.hasBudget() && !p.hasTail()));
+}
+
+TEST(Plan, PredicatesImplyWhatTheirCommentsSay) {
+  int plans = 0;
+  for (const OitSettings& settings : test::acceptedSettings()) {
+    for (const SyncMode sync : test::syncModesOf(methodById(settings.method))) {
+      SCOPED_TRACE(test::describe(settings));
+      OitPlan plan = test::planOf(settings, sync);
+      for (const bool resizable : {false, true}) {
+        plan.resizable = resizable;
+        plan.size = {1, 1};
+        expectImplications(plan);
+        ++plans;
+      }
+    }
+  }
+  EXPECT_GT(plans, 400) << "the enumeration finds something";
+  RecordProperty("plans", plans);
+}
+
+TEST(Plan, OfAGrowingPoolKeepsItWhileItsMethodDoes) {
+  const gl::Capabilities device;
+  const OitSettings lists{.method = "ab-list"};
+  OitPlan plan;
+  planOn(plan, lists, 100, device);
+  EXPECT_EQ(plan.slots, 200U) << "two a sample to begin with";
+  EXPECT_FALSE(needsLargerPool(plan, 200));
+  ASSERT_TRUE(needsLargerPool(plan, 800));
+  growPool(plan, 800);
+  EXPECT_EQ(plan.slots, 900U) << "an eighth to spare";
+  planOn(plan, lists, 50, device);
+  EXPECT_EQ(plan.slots, 900U);
+  planOn(plan, {.method = "kb-variable", .kAve = 3.0}, 50, device);
+  EXPECT_EQ(plan.slots, 150U);
+  EXPECT_FALSE(needsLargerPool(plan, 800)) << "a budget";
+  planOn(plan, lists, 50, device);
+  EXPECT_EQ(plan.slots, 100U);
+  planOn(plan, {.method = "ab-list", .memoryMiB = 0.001}, 50, device);
+  EXPECT_EQ(plan.slots, 52U) << "1,048 bytes, 20 each";
+  EXPECT_FALSE(needsLargerPool(plan, 800)) << "a cap";
+}
+
+TEST(Plan, OfStencilRoutingTakesSamplesThatTheDeviceHas) {
+  gl::Capabilities device;
+  device.routableSamples = {2, 4, 8};
+  const OitSettings settings{.method = "kb-stencil", .kAve = 7.0};
+  EXPECT_EQ(planned(settings, 100, device).layers, 4U);
+  EXPECT_THROW(planned({.method = "kb-stencil", .kAve = 1.0}, 100, device), InputError);
+}
+
+TEST(Plan, AQualityControlLeavesAFrameFewerSlots) {
+  OitPlan shared = planned({.kAve = 4.0}, 100);
+  shared.size = shared.imageSize = {10, 10};
+  planFrameSlots(shared, 0.5F);
+  EXPECT_EQ(shared.slots, 200U);
+  OitPlan fixed = planned({.method = "kb-fixed", .kAve = 4.0}, 100);
+  fixed.size = fixed.imageSize = {10, 10};
+  planFrameSlots(fixed, 0.5F);
+  EXPECT_EQ(fixed.layers, 2U);
+  planFrameSlots(fixed, 0.01F);
+  EXPECT_EQ(fixed.layers, 1U) << "one for each sample is the least";
+  fixed.size = {5, 5};
+  planFrameSlots(fixed, 1.0F);
+  EXPECT_EQ(fixed.layers, 16U) << "the same slots for a quarter of the texels";
+}
+
+TEST(Sync, AutoPrefersWhatTheDeviceDoesItself) {
+  gl::Capabilities device;
+  OrderedCheck ordered = kOrdered;
+  EXPECT_EQ(chooseSync(SyncMode::Auto, device, ordered), SyncMode::Ordered);
+  device.fragmentShaderInterlock = true;
+  EXPECT_EQ(chooseSync(SyncMode::Auto, device, ordered), SyncMode::Interlock);
+  device.fragmentShaderInterlock = false;
   ordered.passed = false;
-  EXPECT_EQ(chooseSync(SyncMode::Auto, machine, ordered), SyncMode::Spinlock);
-  EXPECT_THROW((void)chooseSync(SyncMode::Ordered, machine, ordered), InputError);
-  EXPECT_THROW((void)chooseSync(SyncMode::Interlock, machine, ordered), InputError);
-  EXPECT_EQ(chooseSync(SyncMode::None, machine, ordered), SyncMode::None);
+  EXPECT_EQ(chooseSync(SyncMode::Auto, device, ordered), SyncMode::Spinlock);
+  EXPECT_THROW((void)chooseSync(SyncMode::Ordered, device, ordered), InputError);
+  EXPECT_THROW((void)chooseSync(SyncMode::Interlock, device, ordered), InputError);
+  EXPECT_EQ(chooseSync(SyncMode::None, device, ordered), SyncMode::None);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "engine/core/error.h"
 #include "model_network.h"
 #include "oit_combinations.h"
-#include "passes/oit/bidding.h"
-#include "passes/oit/hand_out.h"
+#include "passes/oit/oit_pass.h"
+#include "passes/oit/utility/demand.h"
 
 namespace macula::gl {
 namespace {
@@ -218,41 +218,30 @@ void addNetworks(std::vector<Variant>& all) {
 
 /// Passes that the plan of one combination of options specialises, as their prepare() does.
 void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
-  using passes::Insertion;
   const passes::Method& method = *plan.method;
   if (!method.stores()) return;
   all.add({"oit/resolve.comp", definesOf(plan), {}});
-  if (plan.auctions()) {
-    const Defines bids = bidDefines(plan);
+  if (plan.sharesByUtility()) {
+    const Defines demand = demandDefines(plan);
     if (plan.slices()) {
       const std::string listed = std::to_string(plan.listedTile());
-      all.add({"oit/bids.comp", together(bids, {{"LISTED_TILE", listed}}), {}});
-      all.add({"oit/demand.comp", together(bids, {{"BIDS_IN", "1"}}), {}});
+      all.add({"oit/marginal_demand.comp", together(demand, {{"LISTED_TILE", listed}}), {}});
+      all.add({"oit/demand.comp", together(demand, {{"DEMAND_STORED", "1"}}), {}});
     } else {
-      all.add({"oit/demand.comp", bids, {}});
+      all.add({"oit/demand.comp", demand, {}});
     }
     for (const char* round : {"0", "1"}) {
-      all.add({"oit/price.comp", together(bids, {{"ROUND", round}}), {}});
+      all.add({"oit/multiplier.comp", together(demand, {{"ROUND", round}}), {}});
     }
-    all.add({"oit/share.comp", handOutDefines(plan), {}});
+    all.add({"oit/share.comp", slotRangeDefines(plan), {}});
   } else if (method.hasRanges()) {
-    const char* allocation =
-        method.allocation == passes::Allocation::ExactCount ? "ALLOCATION_EXACT"
-        : method.allocation == passes::Allocation::OneK     ? "ALLOCATION_ONE_K"
-                                                            : "ALLOCATION_IMPORTANCE";
-    all.add({"oit/allocate.comp", together(handOutDefines(plan), {{allocation, "1"}}), {}});
+    all.add({"oit/allocate.comp",
+             together(slotRangeDefines(plan), {{method.allocation.define, "1"}}),
+             {}});
   }
-  if (method.insertion == Insertion::StencilRouted) return;
-  Defines capture = definesOf(plan);
-  if (method.insertion != Insertion::AtomicMin) capture = together(capture, syncDefines(plan));
-  if (plan.keepsFrontNormal()) capture.emplace_back("FRONT_NORMAL", "1");
-  if (plan.predictsCounts()) capture.emplace_back("COUNT_OUT", "1");
-  std::vector<std::string> extensions;
-  if (plan.sync == passes::SyncMode::Interlock && plan.sorted()) {
-    extensions.emplace_back("GL_ARB_fragment_shader_interlock");
-  }
+  if (!method.captures()) return;
   for (const Defines& shading : kShadingEnds) {
-    all.add({"oit/capture.frag", together(capture, shading), extensions});
+    all.add({"oit/capture.frag", together(captureDefines(plan), shading), captureExtensions(plan)});
   }
 }
 

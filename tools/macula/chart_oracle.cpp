@@ -6,7 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/experiment/tone_curve.h"
 #include "engine/measure/oracle.h"
-#include "passes/oit/read_fragments.h"
+#include "passes/oit/statistics/read_fragments.h"
 
 namespace macula::tools {
 namespace {

@@ -101,12 +101,10 @@ void setGaze(measure::FrameRecord& record, const gaze::PointOfInterest& point) {
 std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes(
     const passes::FrameRenderer& renderer) {
   std::vector<std::pair<std::string, std::uint64_t>> bytes;
-  for (std::size_t i = 0; i < frame::kResourceCount; ++i) {
-    const auto resource = static_cast<frame::Resource>(i);
-    const frame::ByteClass kind = frame::infoOf(resource).bytes;
+  for (const frame::Resource* resource : renderer.resources().list()) {
+    const frame::ByteClass kind = resource->bytes;
     if (kind != frame::ByteClass::Oit && kind != frame::ByteClass::Overhead) continue;
-    const std::uint64_t own = renderer.resources().bytesOf(resource);
-    if (own > 0) bytes.emplace_back(frame::nameOf(resource), own);
+    bytes.emplace_back(resource->name, renderer.resources().bytesOf(*resource));
   }
   return bytes;
 }

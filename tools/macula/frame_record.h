@@ -21,7 +21,8 @@ namespace macula::tools {
 /// Sets the metrics gaze.* and fovea.*, all but the error.
 void setGaze(measure::FrameRecord& record, const gaze::PointOfInterest& point);
 
-/// Bytes of each buffer and texture of transparency by name; they add up to the metric bytes.total.
+/// Bytes of each buffer and texture of transparency by name, while it is alive. Where lives do not
+/// meet, buffers share memory, so these add up to the metric bytes.total or more.
 [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> transparencyBytes(
     const passes::FrameRenderer& renderer);
 

@@ -16,8 +16,8 @@
 #include "engine/window/headless.h"
 #include "macula_version.h"
 #include "passes/machine.h"
-#include "passes/oit/read_features.h"
-#include "passes/oit/read_fragments.h"
+#include "passes/oit/learned/read_features.h"
+#include "passes/oit/statistics/read_fragments.h"
 #include "training_features.h"
 
 namespace macula::tools {
@@ -75,6 +75,7 @@ class SceneViews {
     learnedSettings_.oit.importance = passes::Predictor::Learned;
     learnedSettings_.oit.fill = true;
     learnedSettings_.oit.tail = passes::Tail::Mean;
+    learnedSettings_.readBack = true;
     const glm::ivec2 size = parseSize(options.size);
     for (passes::FrameRenderer* renderer : {&exact_, &opaque_, &thesis_, &learned_}) {
       renderer->resize(size);

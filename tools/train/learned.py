@@ -1,4 +1,4 @@
-"""Macula's own network: it corrects the errors that depth slices predict (shaders/lib/bids.glsl).
+"""Macula's own network: it corrects the errors that depth slices predict (shaders/lib/predicted_error.glsl).
 
 It is not taught numbers of layers. At a price drawn at random the prediction chooses among a pixel's
 possible numbers of slots; the choice, made soft, is charged the true squared error that it leaves and
@@ -17,7 +17,7 @@ SLICES, PARTS = 8, 2  # LEARNED_SLICES, LEARNED_PARTS of shaders/shared/network.
 KNOTS = 4  # LEARNED_KNOTS: places of corrections
 OUTPUTS = [f"{name}_{i}" for name in ("error", "order") for i in range(KNOTS)]
 MOST = 12.0  # LEARNED_MOST: a correction at the most, as log2
-UNKNOWN_ORDER = 0.003  # kUnknownOrder of shaders/lib/bids.glsl
+UNKNOWN_ORDER = 0.003  # kUnknownOrder of shaders/lib/predicted_error.glsl
 # log2 of the prices that a slot is tried at: from what a visible layer of a dark pixel is worth to
 # what no display shows.
 DEAREST, CHEAPEST = -3.0, -23.0

@@ -14,6 +14,7 @@
 #include "engine/core/nearest.h"
 #include "engine/ui/key_table.h"
 #include "engine/ui/widgets.h"
+#include "passes/resources.h"
 #include "walk/actions.h"
 #include "walk/file_names.h"
 #include "walk/gaze_cursor.h"
@@ -194,7 +195,7 @@ void Panels::add(const passes::FrameRenderer& renderer, const passes::FrameResul
   if (result.layers) {
     layers = ui::LayerRow{
         static_cast<float>(result.layers->mean), static_cast<float>(result.layers->max), {}};
-    const gl::Texture& image = renderer.resources().texture(frame::Resource::HdrColor);
+    const gl::Texture& image = renderer.resources().texture(passes::kHdrColor);
     if (renderer.plan().budgetBytes) {
       layers->budget = static_cast<float>(renderer.plan().slots) /
                        (static_cast<float>(image.width()) * static_cast<float>(image.height()));

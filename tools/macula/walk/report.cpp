@@ -6,14 +6,14 @@
 
 namespace macula::tools {
 
-using frame::Resource;
 using nlohmann::ordered_json;
 
 std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 place,
                             int samplesPerAxis) {
-  if (!renderer.resources().has(Resource::FragmentRange)) return {};
+  if (!renderer.resources().has(passes::kFragmentRange)) return {};
   constexpr int kHalfSide = 32;
-  const gl::Texture& ranges = renderer.resources().texture(Resource::FragmentRange);
+  const gl::Texture& ranges =
+      renderer.resources().textureFor(passes::kFragmentRange, GL_TEXTURE_UPDATE_BARRIER_BIT);
   const glm::ivec2 size(ranges.width(), ranges.height());
   // GL counts rows from the bottom.
   const glm::ivec2 center(glm::vec2(place.x, 1.0F - place.y) * glm::vec2(size));
@@ -22,7 +22,6 @@ std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 pla
   const glm::ivec2 extent = glm::clamp(center + half, low + 1, size) - low;
   const std::size_t count = static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
   std::vector<glm::uvec2> texels(count);  // first slot, k
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureSubImage(ranges.id(), 0, low.x, low.y, 0, extent.x, extent.y, 1, GL_RG_INTEGER,
                        GL_UNSIGNED_INT, static_cast<GLsizei>(count * sizeof(glm::uvec2)),

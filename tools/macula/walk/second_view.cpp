@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/ui/widgets.h"
+#include "passes/resources.h"
 #include "shared/bindings.h"
 #include "shared/dispatch.h"
 
@@ -115,8 +116,9 @@ void SecondView::compose(const Screen& screen, const passes::FrameRenderer& firs
       break;
     case ViewMode::Difference:
       // Of the images, never of false colours.
-      drawDifference(first.resources().texture(frame::Resource::DisplayColor),
-                     renderer_->resources().texture(frame::Resource::DisplayColor));
+      drawDifference(
+          first.resources().textureFor(passes::kDisplayColor, GL_TEXTURE_FETCH_BARRIER_BIT),
+          renderer_->resources().textureFor(passes::kDisplayColor, GL_TEXTURE_FETCH_BARRIER_BIT));
       screen.show(difference_);
       break;
     case ViewMode::One:
@@ -129,7 +131,6 @@ void SecondView::drawDifference(const gl::Texture& first, const gl::Texture& sec
   if (difference_.width() != size.x || difference_.height() != size.y) {
     difference_ = gl::Texture("difference map", GL_RGBA8, size.x, size.y);
   }
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   glUseProgram(machine_.programs.get({{"difference.comp"}, {}, {}}));
   glUniform1f(0, scale_);
   glBindTextureUnit(TEX_INPUT0, first.id());
