@@ -30,7 +30,8 @@ def check_schema(report):
     assert set(report["bytes"]) == {"total", "oit", "budget", "overhead", "gbuffer", "buffers"}
     assert report["bytes"]["total"] == report["bytes"]["oit"] + report["bytes"]["overhead"]
     buffers = report["bytes"]["buffers"]
-    assert sum(buffers.values()) == report["bytes"]["oit"] + report["bytes"]["overhead"], buffers
+    # Buffers whose lives in a frame do not meet share memory.
+    assert sum(buffers.values()) >= report["bytes"]["oit"] + report["bytes"]["overhead"], buffers
     for i, frame in enumerate(report["frames"]):
         assert frame["index"] == i
         # The contract; docs/report.schema.json has all, and cli.report holds reports against it.
