@@ -11,6 +11,7 @@ LONGEST = {"README.md": 150, "BENCHMARKS.md": 200}
 PATH = re.compile(r"`([\w.+*-]+/[\w./+*{},-]*|[\w+*-]+\.(?:cpp|h|glsl|comp|vert|frag|py|sh|toml|\{h,cpp\}))`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 ROOTS = ("", "engine", "shaders", "tools", "tests")
+TOPS = ("engine", "passes", "shaders", "tools", "tests", "assets", "docs")
 # Files of a run or of an installation, not of the source.
 MADE = re.compile(r"^(out|build|images|share|lib|\.\.|/)|^(frame_\d|results|report|session|frames)|://")
 RESULT = re.compile(r"(?<![\w.])\d+\.\d+(?! ?%?<!--)(?![\w.])")
@@ -33,9 +34,8 @@ def exists(page, path):
         # `n/a` and `GazePointX/Y` are no paths: they begin with no folder and end with no suffix.
         first, suffix = path.split("/")[0], re.search(r"\.\w+$", path)
         return not suffix and not any((folder / first).is_dir() for folder in folders)
-    # The bare name of a file, somewhere in the room.
-    top = SOURCE / page.relative_to(SOURCE).parts[0]
-    return any((top if top.is_dir() else SOURCE).rglob(path))
+    # The bare name of a file: somewhere in the source.
+    return any(any((SOURCE / top).rglob(path)) for top in TOPS)
 
 
 def paths_of(page, text):
