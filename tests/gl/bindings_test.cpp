@@ -219,6 +219,7 @@ TEST_F(GlTest, SharedMemoryChangesNoFrame) {
   for (const passes::OitSettings& oit : completeCases(4)) {
     RenderSettings settings = settingsOf(oit);
     settings.lod = {.resize = 2.0, .transparency = true};
+    settings.shadow.size = 64;  // or its bytes would hide those of the buffers
     Bench sharing(scene, settings, kSize, machine());
     settings.readBack = true;
     Bench separate(scene, settings, kSize, machine());
@@ -233,7 +234,7 @@ TEST_F(GlTest, SharedMemoryChangesNoFrame) {
   }
   note("bytes in memory of their own", static_cast<double>(apart));
   note("bytes where buffers share memory", static_cast<double>(shared));
-  EXPECT_LT(shared, apart);
+  EXPECT_LT(shared, apart * 97 / 100);
 }
 
 /// Byte offsets of the members of one struct, by their names in the shader.
