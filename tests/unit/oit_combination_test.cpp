@@ -89,7 +89,7 @@ TEST(Combinations, RefusedOnesSayWhy) {
   for (const Refused& row : refused()) {
     try {
       checkCombination(row.settings);
-      ADD_FAILURE() << "accepted: " << test::describe(row.settings) << ", " << row.reason;
+      ADD_FAILURE() << "accepted: " << test::combinationName(row.settings) << ", " << row.reason;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), testing::StartsWith(std::string(row.place)));
       EXPECT_THAT(error.what(), testing::HasSubstr(std::string(row.reason)));
@@ -123,7 +123,7 @@ TEST(Combinations, AcceptedOnesPass) {
       {.method = "kb-learned", .sync = "none", .cull = Cull::Occupancy},
   };
   for (const OitSettings& settings : accepted) {
-    EXPECT_NO_THROW(checkCombination(settings)) << test::describe(settings);
+    EXPECT_NO_THROW(checkCombination(settings)) << test::combinationName(settings);
   }
 }
 

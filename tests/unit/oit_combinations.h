@@ -66,7 +66,7 @@ inline passes::OitPlan planOf(const passes::OitSettings& settings, passes::SyncM
 }
 
 /// The settings in one line, for messages.
-inline std::string describe(const passes::OitSettings& s) {
+inline std::string combinationName(const passes::OitSettings& s) {
   return s.method + (s.tail == passes::Tail::Mean ? " tail" : "") + (s.fill ? " fill" : "") +
          " importance " + std::to_string(static_cast<int>(s.importance)) +
          (s.cull == passes::Cull::Occupancy ? " cull" : "") + " bytes " +

@@ -227,7 +227,7 @@ TEST(Plan, PredicatesImplyWhatTheirCommentsSay) {
   int plans = 0;
   for (const OitSettings& settings : test::acceptedSettings()) {
     for (const SyncMode sync : test::syncModesOf(methodById(settings.method))) {
-      SCOPED_TRACE(test::describe(settings));
+      SCOPED_TRACE(test::combinationName(settings));
       OitPlan plan = test::planOf(settings, sync);
       for (const bool resizable : {false, true}) {
         plan.resizable = resizable;
