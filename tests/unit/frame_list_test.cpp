@@ -61,7 +61,7 @@ TEST(FrameList, IsSoundForEveryAcceptedCombination) {
         for (const bool history : {false, true}) {
           plan.historyValid = history;
           EXPECT_THAT(list.validate(sized(kEverything)), testing::IsEmpty())
-              << test::describe(options) << " sync " << nameOf(sync) << " history " << history;
+              << test::combinationName(options) << " sync " << nameOf(sync) << " history " << history;
           ++frames;
         }
       }
@@ -86,7 +86,7 @@ TEST(FrameList, IsSoundForEveryCombinationWithReducedRateTransparency) {
     for (const glm::ivec2 size : {kSize, lod.texels}) {
       plan.size = size;
       EXPECT_THAT(list.validate(inputs), testing::IsEmpty())
-          << test::describe(options) << (plan.reduced() ? " reduced" : " full");
+          << test::combinationName(options) << (plan.reduced() ? " reduced" : " full");
     }
     EXPECT_THAT(running(list, kEverything),
                 testing::IsSupersetOf({"lod.depth", "lod.shade", "lod.transparency"}));
