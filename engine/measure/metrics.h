@@ -24,7 +24,8 @@ inline constexpr std::string_view kNoLayers = "nothing is covered, or the method
 inline constexpr std::string_view kNoPath = "the study has no `path_frames`, or this has no frames";
 inline constexpr std::string_view kDisplayUnit = "display values, 0 to 1";
 
-// clang-format off: a table, its short cells first
+// A table, its short cells first.
+// clang-format off
 inline constexpr auto kMetrics = std::to_array<Metric>({
     // Where the frame stands in its run.
     {.name = "index", .title = "frame", .type = ValueType::Count, .places = kReport,

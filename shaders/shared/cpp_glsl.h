@@ -10,15 +10,15 @@
 #else
 #include <cstdint>
 #include <glm/glm.hpp>
-#define MACULA_SHARED_BEGIN           \
-  namespace macula::shader {          \
-  using glm::ivec2;                   \
-  using glm::ivec4;                   \
-  using glm::mat4;                    \
-  using glm::uvec4;                   \
-  using glm::vec2;                    \
-  using glm::vec4;                    \
-  using uint = std::uint32_t;  /* NOLINT */
+#define MACULA_SHARED_BEGIN  \
+  namespace macula::shader { \
+  using glm::ivec2;          \
+  using glm::ivec4;          \
+  using glm::mat4;           \
+  using glm::uvec4;          \
+  using glm::vec2;           \
+  using glm::vec4;           \
+  using uint = std::uint32_t; /* NOLINT */
 #define MACULA_SHARED_END }
 #endif
 

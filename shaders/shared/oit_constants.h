@@ -6,8 +6,8 @@
 // and a sum over 2^28 pixels fits 64 bits.
 #define IMPORTANCE_ONE 65536u
 
-// Pixels that one thread sums before it adds to a shared counter. Fewer, and atomics dominate; more,
-// and a GPU has too few threads to fill it.
+// Pixels that one thread sums before it adds to a shared counter. Fewer, and atomics dominate;
+// more, and a GPU has too few threads to fill it.
 #define STRIP 32
 
 // Threads of a work-group of the strip passes.
@@ -37,12 +37,12 @@
 // Even parts into which the prediction divides a slice, its fragments spread over them.
 #define SLICE_PARTS 4
 
-// The Lagrange multiplier is searched for between 2^-40 and 2^4: from what one fragment among thousands
-// can change to more than the utility of a whole pixel.
+// The Lagrange multiplier is searched for between 2^-40 and 2^4: from what one fragment among
+// thousands can change to more than the utility of a whole pixel.
 #define MULTIPLIER_LOWEST -40.0
 #define MULTIPLIER_HIGHEST 4.0
-// Octaves by which the high and the low multiplier stand off the one found in a sample of the pixels:
-// its sums are about one per cent off.
+// Octaves by which the high and the low multiplier stand off the one found in a sample of the
+// pixels: its sums are about one per cent off.
 #define MULTIPLIER_MARGIN 0.05
 // Pixels that are enough for that sample.
 #define SAMPLED_PIXELS 65536
@@ -55,8 +55,8 @@
 // Set in a pixel's number of slots where a tail stands behind them.
 #define RANGE_TAIL 0x80000000u
 
-// Optical depth of a layer at the most, in halvings: a transmittance of 1 / 65,536 is less than a half
-// float of radiance resolves.
+// Optical depth of a layer at the most, in halvings: a transmittance of 1 / 65,536 is less than a
+// half float of radiance resolves.
 #define MAX_OPTICAL_DEPTH 16.0
 
 // Steps of a tail's sums in one unit. With 2^14, floats hold sums below 2^10 exactly.

@@ -3,8 +3,8 @@
 #define MACULA_SHARED_OIT_TOTALS_H
 #include "shared/cpp_glsl.h"
 
-// The search for the Lagrange multiplier (shaders/lib/multiplier.glsl): rounds, and candidates (four to
-// a vector) in each. Two rounds of 16 find it within 44 octaves / 17^2, some 10 %.
+// The search for the Lagrange multiplier (shaders/lib/multiplier.glsl): rounds, and candidates
+// (four to a vector) in each. Two rounds of 16 find it within 44 octaves / 17^2, some 10 %.
 #define MULTIPLIER_ROUNDS 2
 #define MULTIPLIER_CANDIDATES 16
 #define MULTIPLIER_VECTORS_A_ROUND 4

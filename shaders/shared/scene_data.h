@@ -13,10 +13,10 @@
 #define MATERIAL_HAS_EMISSIVE_TEXTURE 128u
 #define MATERIAL_BLEND 256u
 
-// The greatest alpha of a transparent fragment that adds nothing: neither counted nor stored. 2^-25 is
-// what half floats, in which fragments are stored, round to 0, and what floats, in which they are put
-// over one another, take away from 1 without a change. With 8-byte fragments, too: their 8 bits of
-// alpha round more to 0, but the light of those fragments is stored.
+// The greatest alpha of a transparent fragment that adds nothing: neither counted nor stored. 2^-25
+// is what half floats, in which fragments are stored, round to 0, and what floats, in which they
+// are put over one another, take away from 1 without a change. With 8-byte fragments, too: their 8
+// bits of alpha round more to 0, but the light of those fragments is stored.
 #define LEAST_ALPHA 2.98023223876953125e-8
 
 #define LIGHT_DIRECTIONAL 0u

@@ -83,7 +83,8 @@ void addHold(CLI::App& root) {
   CLI::Option* scene =
       command->add_option("scene", o->scene, "File (.gltf, .glb) or procedural name");
   CLI::Option* plant =
-      command->add_flag("--plant", o->plant, "Every control law on a simulated GPU, without a scene")
+      command
+          ->add_flag("--plant", o->plant, "Every control law on a simulated GPU, without a scene")
           ->excludes(scene);
   command->add_option("--seeds", o->seeds, "Runs of each law on each case (default 20)")
       ->check(CLI::Range(1, 1000))

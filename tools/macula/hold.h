@@ -47,7 +47,8 @@ struct LoadStep {
 /// @throws InputError naming --load
 [[nodiscard]] std::vector<LoadStep> parseLoads(const std::vector<std::string>& texts, int frames);
 
-/// Runs every law on every case of the simulated GPU; writes results and report where a folder is named.
+/// Runs every law on every case of the simulated GPU; writes results and report where a folder is
+/// named.
 void holdPlant(const HoldOptions& options);
 
 /// Holds the target on a scene, beside the same frames with a fixed r.

@@ -44,8 +44,8 @@ void info(Options& options, const CLI::App& command) {
   scene::SceneInfo facts = scene::describe(loaded);
   prepareForRendering(loaded, options.settings);
   if (loaded.lights.size() > scene::kMostLights) {
-    facts.warnings.push_back(oneLine(
-        scene::lightsLeftOut(loaded, startCamera(loaded), 1.0F, "the first camera")));
+    facts.warnings.push_back(
+        oneLine(scene::lightsLeftOut(loaded, startCamera(loaded), 1.0F, "the first camera")));
   }
   const passes::OitPlan plan{.method = &passes::methodById(options.settings.oit.method)};
   const frame::FrameInputs inputs =
