@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs packages, builds with warnings as errors, and runs every test; the parsers and loaders
-# run again under the address and undefined-behaviour sanitizers.
+# Installs packages, reads the sources (tools/lint.sh), builds with warnings as errors, and runs
+# every test; the parsers and loaders run again under the address and undefined-behaviour sanitizers.
 # MACULA_PRESET: build preset (default ci). MACULA_SKIP_SANITIZERS=1: leave those out.
+# MACULA_TIDY, MACULA_BASE: what clang-tidy reads, see tools/lint.sh.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -12,7 +13,8 @@ finish() {
 }
 trap finish EXIT
 
-tools/install_packages.sh build test
+tools/install_packages.sh build test lint
+tools/lint.sh
 preset=${MACULA_PRESET:-ci}
 # Where ccache is used, a second checkout shares what the first has compiled.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
@@ -24,4 +26,11 @@ if [[ -z ${MACULA_SKIP_SANITIZERS:-} ]]; then
   cmake --build --preset asan --target sanitized_tests
   ctest --test-dir build/asan --output-on-failure -L sanitized -j "$(nproc)"
 fi
-ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+log=build/$preset/check.log
+status=0
+ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)" | tee "$log" || status=$?
+echo "What was compared (introspection of shaders, barriers and memory of random frames):"
+grep -h -E 'NOTE +\] (Bindings\.|[0-9]+ lists)' "build/$preset/Testing/Temporary/LastTest.log" ||
+  status=1  # these tests ran in any case, so their counts must be there
+sed -n '/tests passed/,$p' "$log"
+((status == 0))

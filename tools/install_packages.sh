@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing of tools/packages.txt. Usage: install_packages.sh build [test] [dev] [train]
+# Installs what is missing of tools/packages.txt. Usage: install_packages.sh build [test] [lint] [dev] [train]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 

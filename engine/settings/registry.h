@@ -30,7 +30,7 @@ class Registry {
   ///   "..."},
   ///                settings.kAve, Range{.min = 0, .minExclusive = true, .max = 4096});
   template <typename Field>
-  Entry& add(Description description, Field& field, Range range = {}) {
+  Entry& add(Description description, Field& field, Range range = {}) {  // NOLINT: it is moved
     return insert(std::move(description), bindField(field), range, {});
   }
 
@@ -39,7 +39,7 @@ class Registry {
   /// A number that is an index into `choices`.
   Entry& addChoice(Description description, int& field, std::vector<std::string> choices);
   /// An enumeration whose enumerators are 0, 1, ... in the order of `choices`.
-  template <typename Enum, typename = std::enable_if_t<std::is_enum_v<Enum>>>
+  template <typename Enum, typename = std::enable_if_t<std::is_enum_v<Enum>>>  // NOLINTNEXTLINE
   Entry& addChoice(Description description, Enum& field, std::vector<std::string> choices) {
     return insertIndexed(
         std::move(description), [&field] { return static_cast<std::size_t>(field); },

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Reads the sources: clang-format, clang-tidy, shellcheck and pyflakes. A warning is an error.
+# clang-tidy reads what changed since the branch left MACULA_BASE (default: origin/main, else main;
+# on that branch itself, in the newest commit), each file alone, so that an include that only others
+# bring is an error too. Where more than kMost changed it reads none, and says so.
+# MACULA_TIDY=all: the whole tree; none: clang-tidy is left out.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root"
+kMost=40  # files that clang-tidy reads in some minutes on two cores
+
+# Also of an unpacked archive, which has no git.
+files() { # files PATTERN...: sources and scripts of these names
+  local pattern options=()
+  for pattern in "$@"; do options+=(-o -name "$pattern"); done
+  find .ci engine passes shaders/shared tools tests -type f \( "${options[@]:1}" \) | sort
+}
+
+status=0
+files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror || status=1
+files '*.sh' run | xargs shellcheck -x || status=1
+files '*.py' | xargs pyflakes3 || status=1
+
+changed() { # sources that changed since the merge base, and those of changed headers
+  local base
+  base=$(git merge-base HEAD "${MACULA_BASE:-origin/main}" 2>/dev/null ||
+    git merge-base HEAD main 2>/dev/null) || return 0
+  if [[ $base == "$(git rev-parse HEAD)" ]]; then
+    base=$(git rev-parse --verify --quiet HEAD~1) || return 0
+  fi
+  git diff --name-only --diff-filter=d "$base" -- engine passes tools tests |
+    sed -n 's/\.\(cpp\|h\)$/.cpp/p' | sort -u | while read -r file; do
+    if [[ -f $file ]]; then echo "$file"; fi
+  done
+}
+tidy() { # tidy FOLDER OPTION FILE...: with the compile commands of a build folder
+  local folder=$1 option=$2
+  shift 2
+  printf '%s\n' "$@" |
+    xargs -r -P "$(nproc)" -n 1 clang-tidy -p "$folder" --quiet --warnings-as-errors='*' \
+      --extra-arg=-Wno-unknown-warning-option "$option" 2>&1 |
+    { grep -v -E '^[0-9]+ warnings? (generated|treated)' || true; }
+}
+case ${MACULA_TIDY:-changed} in
+  none) ;;
+  all) # as unity files, where every header is read once for many sources
+    cmake --preset ci >/dev/null
+    cmake --build --preset ci --target macula_version >/dev/null
+    mapfile -t sources < <(sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/ci/compile_commands.json | sort -u)
+    tidy build/ci --checks=-bugprone-suspicious-include "${sources[@]}" || status=1
+    ;;
+  *)
+    mapfile -t sources < <(changed)
+    if ((${#sources[@]} > kMost)); then
+      echo "lint: ${#sources[@]} files changed, clang-tidy reads none of them; MACULA_TIDY=all reads the whole tree"
+      exit $status
+    fi
+    echo "lint: clang-tidy reads ${#sources[@]} changed files"
+    if ((${#sources[@]})); then
+      cmake --preset dev >/dev/null
+      cmake --build --preset dev --target macula_version >/dev/null
+      tidy build/dev --checks= "${sources[@]}" || status=1
+    fi
+    ;;
+esac
+exit $status
