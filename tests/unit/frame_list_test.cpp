@@ -239,7 +239,7 @@ TEST(Rooms, AFeatureNamesNoFactoryButItsOwn) {
   int made = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(
            std::filesystem::path(MACULA_SOURCE_DIR) / "passes")) {
-    const std::filesystem::path file = entry.path();
+    const std::filesystem::path& file = entry.path();
     if (file.extension() != ".cpp" || file.stem() == "frame_list") continue;
     const std::string text = readTextFile(file);
     for (std::sregex_iterator it(text.begin(), text.end(), factory), end; it != end; ++it, ++made) {

@@ -94,7 +94,7 @@ std::vector<std::string> forbiddenIncludes(const std::string& path, const std::s
     std::smatch match;
     if (!std::regex_match(line, match, include)) continue;
     std::string name = match[1];
-    if (name.starts_with("shared/")) name = "shaders/" + name;
+    if (name.starts_with("shared/")) name.insert(0, "shaders/");
     const Room* used = roomOf(name);
     if (used == nullptr && name.find("..") == std::string::npos) used = user;  // beside the file
     if (user == nullptr || used == nullptr || !mayUse(*user, *used)) {
