@@ -33,7 +33,7 @@ class Controller {
   /// The image has another size from the next frame on: what is known is scaled, or forgotten by
   /// laws that cannot. @param pixelRatio after over before, > 0
   void resized(double pixelRatio);
-  /// Another scene from the next frame on: begins anew, with all levers at rest.
+  /// Another scene from the next frame on: starts over, with all levers at rest.
   void restart();
 
   /// Whether the levers are to be used: a law is chosen, and nothing has switched it off.

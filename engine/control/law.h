@@ -65,7 +65,7 @@ class Law {
 
   /// The image has another size: costs are to be thought of as `ratio` times what they were.
   /// @param ratio of the pixel numbers, after over before; > 0
-  /// @returns false where the law cannot, and has to be made anew
+  /// @returns false where the law cannot, and has to be made again
   virtual bool scalePixels(double ratio) {
     static_cast<void>(ratio);
     return false;

@@ -11,8 +11,8 @@ namespace {
 constexpr double kLate = 1.02;
 /// A step is taken back where the time without it would still be below this share of the target.
 constexpr double kRoom = 0.97;
-/// A time that is said to be out of reach is said anew once it differs by more than this: it is
-/// no reading of a clock.
+/// The notice that a time is out of reach is repeated once that time differs by more than this: it
+/// is no reading of a clock.
 constexpr double kMoved = 0.1;
 
 const LeverInfo& infoOf(Lever lever) {

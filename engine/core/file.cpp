@@ -128,7 +128,7 @@ fs::path moduleFile(std::string_view file) {
     if (fs::is_regular_file(path, error)) return path;
   }
   failInput(
-      "{}: this part of Macula is missing; build or install Macula anew, or set MACULA_MODULES to "
+      "{}: this part of Macula is missing; build or install Macula again, or set MACULA_MODULES to "
       "the folder that holds it",
       path.string());
 }

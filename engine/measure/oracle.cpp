@@ -21,7 +21,7 @@ std::span<const double> ErrorCurve::of(std::size_t pixel) {
   const glm::vec3 exact = display_(colours.back());
   errors_.clear();
   for (const glm::vec3& colour : colours) {
-    // What lies behind an opaque layer changes nothing; the encoding is the dear part.
+    // What lies behind an opaque layer changes nothing; encoding is the expensive part.
     errors_.push_back(colour == colours.back() ? 0.0 : squaredDistance(display_(colour), exact));
   }
   return errors_;

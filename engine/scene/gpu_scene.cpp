@@ -75,7 +75,7 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
     const glm::mat4& m = instance.transform;
     const glm::mat3 linear(m);
     const float determinant = glm::determinant(linear);
-    // A flattening transform has no inverse; its normals come out as zero and are mended in the
+    // A flattening transform has no inverse; its normals come out as zero and are replaced in the
     // shader by the default direction.
     const glm::mat3 normal = std::abs(determinant) > std::numeric_limits<float>::min()
                                  ? glm::transpose(glm::inverse(linear))

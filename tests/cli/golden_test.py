@@ -3,7 +3,7 @@
 
 The rasteriser compiles for the processor it finds, and wider vectors or fused multiply-adds change
 last bits. So the images are drawn with its code pinned to SSE 4.1, which every x86-64 machine in
-use runs. MACULA_UPDATE=1 writes the stored images anew; a missing one fails.
+use runs. MACULA_UPDATE=1 writes the stored images; a missing one fails.
 """
 import json
 import os

@@ -223,7 +223,7 @@ def check_script(folder):
     assert os.path.exists(os.path.join(folder, "macula_002.png")), "both pictures are there"
     with open(os.path.join(record, "frames.jsonl"), encoding="utf-8") as f:
         frames = [json.loads(line) for line in f]
-    assert sum("scene" in f for f in frames) >= 3, "the scene was loaded anew"
+    assert sum("scene" in f for f in frames) >= 3, "the scene was loaded again"
     report = replay(record, os.path.join(folder, "out"))["recording"]
     assert report["hashes_equal"] == report["hashes_compared"] == len(frames), report
 

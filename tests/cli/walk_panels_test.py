@@ -141,7 +141,7 @@ def test_scenes():
     check(numbers["scene"] == "layers-4" and "cancelled" in numbers["message"], "Esc ends loading")
     numbers, _ = walk("reseeded", "1 set frame.seed=5\n", "--no-panels", scene="smoke")
     check("--seed 5" in numbers["command_line"] and numbers["loading_frames"] > 1,
-          "a setting of the scene loads it anew")
+          "a setting of the scene loads it again")
     numbers, _ = walk("no-sky", "1 set scene.environment=nowhere.hdr\n", "--no-panels")
     check("nowhere.hdr" in numbers["message"] and "environment" not in numbers["command_line"],
           "an environment that is not there is taken back")

@@ -14,6 +14,11 @@ ROOTS = ("", "engine", "shaders", "tools", "tests")
 TOPS = ("engine", "passes", "shaders", "tools", "tests", "assets", "docs")
 # Files of a run or of an installation, not of the source.
 MADE = re.compile(r"^(out|build|images|share|lib|\.\.|/)|^(frame_\d|results|report|session|frames)|://")
+# Words that say a thing of the field in a private language; docs/glossary.md has the field's.
+PRIVATE = re.compile(r"\b(auctions?|bidders?|dear(?! imgui)|dearest|mend(?:s|ed|ing)?|made-up|"
+                     r"lets expect|anew|whoever|in vain|by name and all|t(?:akes?|ook|aking) turns)\b",
+                     re.IGNORECASE)
+READ = (".md", ".h", ".cpp", ".glsl", ".comp", ".vert", ".frag", ".py", ".sh", ".toml")
 RESULT = re.compile(r"(?<![\w.])\d+\.\d+(?! ?%?<!--)(?![\w.])")
 
 
@@ -70,6 +75,19 @@ def unmarked(page, text):
             yield f"{page.relative_to(SOURCE)}: {number} among the results names no file"
 
 
+def private_words():
+    """Lines of documents, code and comments that use them; the list above is no such line."""
+    faults = []
+    for top in TOPS + ("README.md", "BENCHMARKS.md"):
+        for file in sorted((SOURCE / top).rglob("*")) or [SOURCE / top]:
+            if file.suffix not in READ or "vendor" in file.parts or file.name == "text_test.py":
+                continue
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                if match := PRIVATE.search(line):
+                    faults.append(f"{file.relative_to(SOURCE)}:{number}: '{match[0]}'")
+    return faults
+
+
 def check_comparison():
     """The comparison itself: it must be able to fail."""
     assert difference("a\nb", "a\nb") is None
@@ -93,6 +111,7 @@ def main():
         count += 1
         faults += paths_of(page, text)
         faults += unmarked(page, text)
+    faults += private_words()
     for name, lines in LONGEST.items():
         length = len((SOURCE / name).read_text(encoding="utf-8").splitlines())
         if length > lines:

@@ -61,7 +61,7 @@ class Watched {
   void until(const std::string& what, const std::function<bool()>& holds) {
     const double begin = now();
     while (!holds()) {
-      check(now() - begin < kPatience, "waited in vain until " + what + "; " + describe());
+      check(now() - begin < kPatience, "gave up waiting until " + what + "; " + describe());
       frame();
     }
   }

@@ -17,7 +17,7 @@ struct DeviceSettings {
   std::uint16_t productId = 0x0001;
   std::vector<std::uint8_t> descriptor;
   std::vector<std::uint8_t> configuration;  ///< answer to a get of feature 0x12
-  bool answersGet = true;                   ///< otherwise the kernel waits in vain
+  bool answersGet = true;                   ///< otherwise the kernel waits until its timeout
   bool answersSet = true;
 };
 

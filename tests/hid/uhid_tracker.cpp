@@ -104,7 +104,7 @@ class Tracker {
       if (holds()) return "ok";
       sleepUntil(now() + kMillisecond);
     }
-    return "error waited in vain";
+    return "error gave up waiting";
   }
 
   std::string stream(std::istream& words) {

@@ -1,5 +1,5 @@
 // The synthetic gaze: the same bits as the shipped file, and the shape of real gaze.
-// MACULA_UPDATE=1 writes assets/gallery_gaze.csv anew.
+// MACULA_UPDATE=1 writes assets/gallery_gaze.csv.
 #include "engine/gaze/synthetic.h"
 
 #include <gtest/gtest.h>

@@ -205,7 +205,7 @@ TEST(GltfData, EveryFileLoadsOrSaysWhyNot) {
       ++refused;
       EXPECT_TRUE(message.starts_with(file.string() + ": ")) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-      EXPECT_NE(message.find("; "), std::string::npos) << "no mend: " << message;
+      EXPECT_NE(message.find("; "), std::string::npos) << "no fix: " << message;
     }
   }
   EXPECT_GE(seen, 60);

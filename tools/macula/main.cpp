@@ -13,7 +13,7 @@
 namespace {
 
 constexpr int kDifference = 1;
-constexpr int kBadInput = 2;  ///< what a user can mend
+constexpr int kBadInput = 2;  ///< what a user can fix
 constexpr int kFault = 3;     ///< a fault of Macula or of the driver
 
 }  // namespace

@@ -14,7 +14,7 @@ ARRAYS = {"view", "pixel", "fragments", "thesis", "learned", "optimal_k", "least
 
 
 class BadData(Exception):
-    """One line that names the file and the mend."""
+    """One line that names the file and the fix."""
 
 
 class Scene:
@@ -26,11 +26,11 @@ class Scene:
             about = json.loads(bytes(arrays["about"]).decode())
             self.arrays = {name: arrays[name] for name in arrays.files if name != "about"}
         except Exception as error:
-            raise BadData(f"{path}: not a file of features ({error}); write it anew") from error
+            raise BadData(f"{path}: not a file of features ({error}); write it again") from error
         if about.get("format") != FORMAT or about.get("version") != VERSION:
-            raise BadData(f"{path}: not {FORMAT} version {VERSION}; write it anew")
+            raise BadData(f"{path}: not {FORMAT} version {VERSION}; write it again")
         if missing := sorted(ARRAYS - set(self.arrays)):
-            raise BadData(f"{path}: without {', '.join(missing)}; write it anew")
+            raise BadData(f"{path}: without {', '.join(missing)}; write it again")
         self.path = path
         self.name = about["scene"]
         self.shares = about["shares"]

@@ -1,6 +1,6 @@
 """Macula's own network: it corrects the errors that depth slices predict (shaders/lib/predicted_error.glsl).
 
-It is not taught numbers of layers. At a price drawn at random the prediction chooses among a pixel's
+It is not taught numbers of layers. At a multiplier drawn at random the prediction chooses among a pixel's
 possible numbers of slots; the choice, made soft, is charged the true squared error that it leaves and
 what its slots cost. The least of this over all pixels is the least error for a budget (Everett 1963),
 so that what is trained is the rendered error, and numbers that hardly matter hardly count.
@@ -18,12 +18,12 @@ KNOTS = 4  # LEARNED_KNOTS: places of corrections
 OUTPUTS = [f"{name}_{i}" for name in ("error", "order") for i in range(KNOTS)]
 MOST = 12.0  # LEARNED_MOST: a correction at the most, as log2
 UNKNOWN_ORDER = 0.003  # kUnknownOrder of shaders/lib/predicted_error.glsl
-# log2 of the prices that a slot is tried at: from what a visible layer of a dark pixel is worth to
+# log2 of the multipliers that are tried: from what a visible layer of a dark pixel is worth to
 # what no display shows.
-DEAREST, CHEAPEST = -3.0, -23.0
+LARGEST, SMALLEST = -3.0, -23.0
 # How soft the choice is, in slots, and as a share of what the best choice costs.
 SOFTNESS, RELATIVE_SOFTNESS = 0.1, 0.05
-# A black tail in front of a white surface costs a million slots at the lowest price; one such pixel
+# A black tail in front of a white surface costs a million slots at the smallest multiplier; one such pixel
 # would drown all others of its batch.
 MOST_COST = 1e4
 
@@ -141,21 +141,21 @@ class Net(torch.nn.Module):
         return MOST * torch.tanh(self.raw(x) / MOST)
 
 
-def loss_of(net, rows, chosen, generator, prices_each=4):
+def loss_of(net, rows, chosen, generator, multipliers_each=4):
     """Mean of what the soft choice costs over what the best one would, in slots."""
     slices = Slices(rows.features[chosen], rows.counts[chosen])
     errors = slices.errors(net(rows.features[chosen]))
     true = rows.true[rows.starts[chosen][:, None] + slices.slots.long()]
     total = 0.0
-    for _ in range(prices_each):
-        price = DEAREST + (CHEAPEST - DEAREST) * torch.rand(len(chosen), 1, generator=generator)
-        each = torch.exp2(-price)
+    for _ in range(multipliers_each):
+        multiplier = LARGEST + (SMALLEST - LARGEST) * torch.rand(len(chosen), 1, generator=generator)
+        each = torch.exp2(-multiplier)
         cost = errors * each + slices.slots
         softness = SOFTNESS + RELATIVE_SOFTNESS * cost.detach().min(1, keepdim=True)[0]
         choice = torch.softmax(-cost / softness, 1)
         paid = (true * each + slices.slots).clamp(max=MOST_COST)
         total = total + ((choice * paid).sum(1) - paid.min(1)[0]).mean()
-    return total / prices_each
+    return total / multipliers_each
 
 
 def judge(net, split):
@@ -185,8 +185,8 @@ def judge(net, split):
 
 
 def _rmse(errors, slots, begin, true, fragments, budget):
-    def slots_at(price):
-        best = np.argmin(errors + slots * np.float32(2.0**price), 1)
+    def slots_at(multiplier):
+        best = np.argmin(errors + slots * np.float32(2.0**multiplier), 1)
         return np.take_along_axis(slots, best[:, None], 1)[:, 0].astype(np.int64)
 
     taken = np.minimum(curves.spend(slots_at, budget), fragments)

@@ -5,7 +5,7 @@ error, SGD at 0.001, batches of 512, L1 and L2 of 0.3 and 0.35 on the hidden lay
 the labels are some millionths, which a sigmoid near 1/2 is far from, and the regularisers outweigh
 them by many orders of magnitude, so that every weight goes to 0 and every pixel gets the same.
 
-Mended, it keeps features and network. What stood in its way goes: features are normalised, the share
+The corrected training keeps features and network. What stood in its way goes: features are normalised, the share
 of a pixel is taken of the mean over the covered pixels, the regularisers go, Adam takes the place of
 SGD. It is taught either labels, as the text has it (k of Optimal K or of least RMSE over the mean k
 of the covered pixels, over LABEL_SCALE so that it fits the sigmoid), or, by default, nothing but the

@@ -140,7 +140,7 @@ void hangBaskets(SceneBuilder& builder, Gardener& gardener, std::uint64_t seed) 
       std::move(cord), builder.material(plainMaterial("cords", {0.30F, 0.27F, 0.22F, 1}, 0.9F)));
   Random random(seed, 56);
   for (int i = 3; i < 2 * kBays - 1; ++i) {  // every half bay
-    // The rows take turns; distances from the middle of the aisle.
+    // The rows alternate; distances from the middle of the aisle.
     const float row = i % 2 == 0 ? 1.35F : 2.3F;
     const float roof = kEaves + (kRidge - kEaves) * (1.0F - row / kHalfWidth);
     for (const float side : {-1.0F, 1.0F}) {
