@@ -1,4 +1,5 @@
-// The scenes whose pixels are expensive: car, marble, chess; and the grids of points they are made of.
+// The scenes whose pixels are expensive: car, marble, chess; and the grids of points they are made
+// of.
 #include <gtest/gtest.h>
 
 #include <algorithm>
