@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Real reports of every kind are valid by docs/report.schema.json; broken copies are not.
 
 usage: report_test.py PROGRAM
