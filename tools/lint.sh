@@ -2,7 +2,8 @@
 # Reads the sources: clang-format, clang-tidy, shellcheck and pyflakes. A warning is an error.
 # clang-tidy reads what changed since the branch left MACULA_BASE (default: origin/main, else main;
 # on that branch itself, in the newest commit), each file alone, so that an include that only others
-# bring is an error too. Where more than kMost changed it reads none, and says so.
+# bring is an error too, and judges the lines that changed. Where more than kMost files changed it
+# reads none, and says so.
 # MACULA_TIDY=all: the whole tree; none: clang-tidy is left out.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -21,22 +22,30 @@ files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror || status=1
 files '*.sh' run | xargs shellcheck -x || status=1
 files '*.py' | xargs pyflakes3 || status=1
 
-changed() { # C++ files that changed since the merge base
+base_of_change() { # the merge base; on the base branch itself, the commit before the newest
   local base
   base=$(git merge-base HEAD "${MACULA_BASE:-origin/main}" 2>/dev/null ||
-    git merge-base HEAD main 2>/dev/null) || return 0
+    git merge-base HEAD main 2>/dev/null) || return 1
   if [[ $base == "$(git rev-parse HEAD)" ]]; then
-    base=$(git rev-parse --verify --quiet HEAD~1) || return 0
+    base=$(git rev-parse --verify --quiet HEAD~1) || return 1
   fi
-  git diff --name-only --diff-filter=d "$base" -- engine passes tools tests | grep -E '\.(cpp|h)$'
+  echo "$base"
 }
-sources_of() { # files that changed, and the sources of headers that did
+sources_of() { # sources that changed, and those of headers that did
   sed 's/\.h$/.cpp/' | sort -u | while read -r file; do
     if [[ -f $file ]]; then echo "$file"; fi
   done
 }
-headers_of() { # a pattern of the headers among them; other headers are not judged
-  sed -n 's/\./\\./g; /\.h$/p' | paste -s -d '|'
+lines_of() { # clang-tidy's filter of the lines that differ from a commit
+  git diff -U0 --diff-filter=d "$1" -- engine passes tools tests | awk '
+    /^\+\+\+ b\// { name = substr($2, 3) }
+    /^@@/ {
+      count = split(substr($3, 2), range, ",") == 2 ? range[2] : 1
+      if (name !~ /\.(cpp|h)$/ || count == 0) next
+      row = sprintf("{\"name\":\"%s\",\"lines\":[[%d,%d]]}", name, range[1], range[1] + count - 1)
+      rows = rows (rows == "" ? "" : ",") row
+    }
+    END { print "[" rows "]" }'
 }
 tidy() { # tidy FOLDER OPTION FILE...: with the compile commands of a build folder
   local folder=$1 option=$2
@@ -55,18 +64,18 @@ case ${MACULA_TIDY:-changed} in
     tidy build/ci --checks=-bugprone-suspicious-include "${sources[@]}" || status=1
     ;;
   *)
-    names=$(changed || true)
-    mapfile -t sources < <(sources_of <<<"$names")
-    headers=$(headers_of <<<"$names")
+    base=$(base_of_change) || exit $status
+    mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- engine passes tools tests |
+      grep -E '\.(cpp|h)$' | sources_of)
     if ((${#sources[@]} > kMost)); then
       echo "lint: ${#sources[@]} files changed, clang-tidy reads none of them; MACULA_TIDY=all reads the whole tree"
       exit $status
     fi
-    echo "lint: clang-tidy reads ${#sources[@]} changed files"
+    echo "lint: clang-tidy reads the changed lines of ${#sources[@]} files"
     if ((${#sources[@]})); then
       cmake --preset dev >/dev/null
       cmake --build --preset dev --target macula_version >/dev/null
-      tidy build/dev "--header-filter=/(${headers:-none})\$" "${sources[@]}" || status=1
+      tidy build/dev "--line-filter=$(lines_of "$base")" "${sources[@]}" || status=1
     fi
     ;;
 esac
