@@ -122,7 +122,8 @@ std::vector<std::string> FrameList::validate(const FrameInputs& inputs) const {
 std::vector<PassReport> FrameList::report(const FrameInputs& inputs) const {
   std::vector<PassReport> rows;
   for (const Entry& entry : std::span(entries_).first(framePasses_)) {
-    rows.push_back({entry.pass->name(), entry.pass->hasWork(inputs), entry.pass->reason(inputs)});
+    rows.push_back(
+        {std::string(entry.pass->name()), entry.pass->hasWork(inputs), entry.pass->reason(inputs)});
   }
   return rows;
 }

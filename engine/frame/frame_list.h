@@ -28,7 +28,7 @@ struct PassTime {
 
 /// Whether a pass runs, and why; for `macula scene info`.
 struct PassReport {
-  std::string_view name;
+  std::string name;
   bool runs = false;
   std::string reason;
 };
