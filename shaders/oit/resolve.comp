@@ -106,6 +106,9 @@ void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
 #endif
   for (uint i = 0u; i < n; ++i) compositeUnder(c, slots.first + i);
 #ifdef TAIL_IN_SLOT
+#ifndef TAIL_DYNAMIC
+  n = slots.capacity;  // also where locks that were given up left slots empty
+#endif
   if (slots.tail) compositeLayer(c, tailLayer(loadTail(slots.first + n)));
 #endif
 }
