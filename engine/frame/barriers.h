@@ -48,6 +48,10 @@ class BarrierTracker {
                     std::uint32_t step);
   /// The same before a resource is cleared by a GL command.
   GLbitfield beforeClear(const Resource& resource, std::uint32_t slot);
+  /// Slots that lie in the memory of a slot, itself included.
+  [[nodiscard]] std::span<const std::uint32_t> sharing(std::uint32_t slot) const {
+    return overlaps_[slot];
+  }
 
  private:
   /// Bits that were not issued since the accesses that make a later one need them.

@@ -170,8 +170,7 @@ void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
   }
   resources.allocate(demands(inputs, rules.shareMemory), rules.maxStorageBlockBytes);
   for (Entry& entry : entries_) entry.slots = slotsOf(entry.table, resources);
-  memory_ = resources.memory();
-  barriers_.setMemory(memory_);
+  barriers_.setMemory(resources.memory());
   dirty_.assign(resources.slots(), true);  // the background may have changed
   written_.assign(resources.slots(), false);
   times_.reserve(entries_.size());
@@ -223,9 +222,7 @@ void FrameList::clearUnwritten(const Entry& entry, const FrameResources& resourc
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (!rows[i].active || rows[i].step != step || !writes(rows[i].access)) continue;
       written_[entry.slots[i]] = true;
-      for (std::size_t s = 0; s < memory_.size(); ++s) {
-        if (memory_[s].overlaps(memory_[entry.slots[i]])) dirty_[s] = true;
-      }
+      for (const std::uint32_t s : barriers_.sharing(entry.slots[i])) dirty_[s] = true;
     }
   }
 }

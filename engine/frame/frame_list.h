@@ -93,9 +93,8 @@ class FrameList {
   std::vector<PassTime> times_;
   BarrierTracker barriers_;
   BindingCount compared_;
-  std::vector<MemoryRange> memory_;  ///< by slot
-  std::vector<bool> dirty_;          ///< by slot: its memory was written since its last clear
-  std::vector<bool> written_;        ///< by slot: a pass of the present frame has written it
+  std::vector<bool> dirty_;    ///< by slot: its memory was written since its last clear
+  std::vector<bool> written_;  ///< by slot: a pass of the present frame has written it
 };
 
 }  // namespace macula::frame
