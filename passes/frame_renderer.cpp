@@ -8,12 +8,12 @@
 
 namespace macula::passes {
 
-FrameRenderer::FrameRenderer(const RenderSettings& settings, Machine& machine)
+FrameRenderer::FrameRenderer(const RenderSettings& settings, DeviceContext& device)
     : settings_(settings),
-      machine_(machine),
+      device_(device),
       plan_{.method = &methodById(settings.oit.method)},
       list_(makeFrameList(settings, plan_, lod_)),
-      timer_(machine.time.source) {
+      timer_(device.time.source) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -33,13 +33,13 @@ void FrameRenderer::showTransparency(bool shown) {
 
 void FrameRenderer::resize(glm::ivec2 outputSize) {
   const int side = std::max(outputSize.x, outputSize.y) * settings_.tonemap.ssaa;
-  if (side > machine_.capabilities.maxTextureSize) {
+  if (side > device_.capabilities.maxTextureSize) {
     failInput(
         "{}x{} with {} per axis is more than this GPU's {} texels a side; lower "
         "--size or --ssaa",
         outputSize.x, outputSize.y,
         counted(static_cast<std::uint64_t>(settings_.tonemap.ssaa), "sample"),
-        machine_.capabilities.maxTextureSize);
+        device_.capabilities.maxTextureSize);
   }
   inputs_.outputSize = outputSize;
   settingsChanged();
@@ -51,8 +51,8 @@ void FrameRenderer::settingsChanged() {
   ++steps_.resets;
 }
 
-void FrameRenderer::setLevers(const frame::Levers& levers) {
-  inputs_.levers = levers;
+void FrameRenderer::setControls(const frame::QualityControls& controls) {
+  inputs_.controls = controls;
 }
 
 bool FrameRenderer::canResize() const {
@@ -80,7 +80,7 @@ void FrameRenderer::restart() {
 }
 
 void FrameRenderer::prepareForReducedRate() {
-  if (mayReduce_ || inputs_.levers.resize <= 1.0F) return;
+  if (mayReduce_ || inputs_.controls.resize <= 1.0F) return;
   // Only the passes are prepared again; nothing that a frame remembers depends on it.
   mayReduce_ = true;
   const bool ready =
@@ -90,8 +90,8 @@ void FrameRenderer::prepareForReducedRate() {
 
 void FrameRenderer::allocate() {
   try {
-    list_.prepare(inputs_, resources_, machine_.programs,
-                  {.maxStorageBlockBytes = machine_.capabilities.maxStorageBlockBytes,
+    list_.prepare(inputs_, resources_, device_.programs,
+                  {.maxStorageBlockBytes = device_.capabilities.maxStorageBlockBytes,
                    .shareMemory = !settings_.readBack});
   } catch (...) {
     // No frame may be drawn with a pool that is larger than its memory: the next one plans again.
@@ -110,8 +110,8 @@ void FrameRenderer::prepare() {
   plan_.seed = settings_.seed;
   plan_.factorMaps = needsFactors(settings_.heatmap.map);
   planMethod(plan_, {.settings = settings_.oit,
-                     .device = machine_.capabilities,
-                     .ordered = machine_.ordered,
+                     .device = device_.capabilities,
+                     .ordered = device_.ordered,
                      .samples = samples});
   planNetwork(plan_, network_);
   planLod(lod_, settings_.lod, settings_.foveation, inputs_.facts, mayReduce_);

@@ -11,10 +11,10 @@
 #include "engine/frame/frame_resources.h"
 #include "engine/frame/pass_context.h"
 #include "engine/scene/gpu_scene.h"
+#include "passes/device_context.h"
 #include "passes/frame_constants.h"
 #include "passes/frame_result.h"
 #include "passes/lod/plan.h"
-#include "passes/machine.h"
 #include "passes/oit/plan.h"
 #include "passes/render_settings.h"
 #include "shared/oit_totals.h"
@@ -23,7 +23,7 @@ namespace macula::passes {
 
 class FrameRenderer {
  public:
-  FrameRenderer(const RenderSettings& settings, Machine& machine);
+  FrameRenderer(const RenderSettings& settings, DeviceContext& device);
 
   /// The scene must outlive the renderer or the next call.
   void setScene(const scene::GpuScene& scene);
@@ -36,9 +36,9 @@ class FrameRenderer {
   void settingsChanged();
   /// The quality controls of the following frames. They change no allocation and keep history; the
   /// first frame that asks for less than full rate prepares passes for it, until restart().
-  void setLevers(const frame::Levers& levers);
-  /// Whether setLevers() can have anything computed at 1/r, by the present settings and scene; true
-  /// while there is no scene.
+  void setControls(const frame::QualityControls& controls);
+  /// Whether setControls() can have anything computed at 1/r, by the present settings and scene;
+  /// true while there is no scene.
   [[nodiscard]] bool canResize() const;
   /// How many times over the shading of the following frames is computed: a load to test a
   /// controller with. The image stays the same. @param times >= 1
@@ -114,7 +114,7 @@ class FrameRenderer {
   [[nodiscard]] FragmentReport fragmentReport(const shader::OitTotals& totals);
 
   const RenderSettings& settings_;
-  Machine& machine_;
+  DeviceContext& device_;
   OitPlan plan_;
   LoadedNetwork network_;
   LodPlan lod_;

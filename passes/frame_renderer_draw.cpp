@@ -52,7 +52,7 @@ void FrameRenderer::beginFrame(const scene::Camera& camera, const gaze::PointOfI
                                         : kFirstLayerLimit;
   plan_.size = lod_.transparencySize();
   plan_.historyValid = inputs_.historyValid && plan_.size == history_.transparencySize;
-  planFrameSlots(plan_, inputs_.levers.layerShare);
+  planFrameSlots(plan_, inputs_.controls.layerShare);
   heatmapRange_ = heatmapRange(settings_.heatmap, plan_);
 }
 
@@ -148,7 +148,7 @@ FragmentReport FrameRenderer::fragmentReport(const shader::OitTotals& totals) {
   frame::PassContext context = passContext();
   list_.runReport(context);
   report = reportOf(plan_, totalsIn<shader::OitStatistics>(resources_, kOitStatistics), totals,
-                    machine_.capabilities);
+                    device_.capabilities);
   deepestSeen_ = std::max(deepestSeen_, report.deepest);
   plan_.largestLayers = report.largestLayers;
   return report;

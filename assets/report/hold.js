@@ -1,5 +1,5 @@
 'use strict';
-// The page of `macula hold SCENE`: frame time, r and levers over the frames, as Yang 2008, Fig. 5.
+// The page of `macula hold SCENE`: frame time, r and quality controls over the frames, as Yang 2008, Fig. 5.
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const trace = data.trace;
@@ -128,10 +128,10 @@ function drawCharts() {
   const shares = trace.layer_share;
   if (slopes.every(v => v === 1) && shares.every(v => v === 1)) {
     document.getElementById('charts').append(element('p', {class: 'note'},
-      'The other levers (the fovea’s slope, the share of the layers) stayed at rest.'));
+      'The other quality controls (the fovea’s slope, the share of the layers) stayed at rest.'));
     return;
   }
-  chart('Other levers', 'factor', 180, [0, 1.1 * Math.max(...slopes)], [
+  chart('Other quality controls', 'factor', 180, [0, 1.1 * Math.max(...slopes)], [
     {name: 'fovea’s slope', values: slopes, colour: '#7a5195', stepped: true},
     {name: 'share of the layers', values: shares, colour: '#8c564b', stepped: true},
   ], [key('fovea’s slope', '#7a5195'), key('share of the layers', '#8c564b')]);

@@ -45,7 +45,7 @@ bool Controller::atEnd(double resize) const {
   return resize >= made_.mostResize * (1.0 - kEndShare);
 }
 
-bool Controller::resizeHasWork(const LeverWork& work) const {
+bool Controller::resizeHasWork(const ControlWork& work) const {
   return work.resize && workless_ < kWorkless;
 }
 
@@ -58,21 +58,21 @@ void Controller::observe(const FrameTimes& times) {
 }
 
 void Controller::moveResize(double wanted) {
-  double& resize = values_[Lever::Resize];
-  // Without a target there is nothing that other levers could take over.
+  double& resize = values_[QualityControl::Resize];
+  // Without a target there is nothing that other controls could take over.
   const double most = law_->holdsTarget() ? made_.mostResize : kMostResize;
   resize = std::clamp(wanted, kLeastResize, most);
   resize = std::clamp(inSteps(resize, made_.resizeStep), kLeastResize, most);
 }
 
-const LeverValues& Controller::next(const FrameTimes* newest, double usedResize,
-                                    const LeverWork& given) {
+const ControlValues& Controller::next(const FrameTimes* newest, double usedResize,
+                                      const ControlWork& given) {
   if (made_ != settings_) {
     if (made_.law != settings_.law) steps_.rest();
     makeLaw();
   }
   const std::uint64_t frame = asked_++;
-  LeverWork work = given;
+  ControlWork work = given;
   work.fovea = work.fovea && made_.fovea;
   work.layers = work.layers && made_.layers;
   active_ = law_ != nullptr && law_->trouble() != Trouble::NoEffect;
@@ -88,7 +88,7 @@ const LeverValues& Controller::next(const FrameTimes* newest, double usedResize,
   const double wanted = law_->next(known, usedResize);
   resizeWorks_ = resizeHasWork(work);
   if (law_->holdsTarget()) steps_.decide(frame, made_.targetMs, work);
-  // Levers are released from the end: r waits at its own until the others rest.
+  // Controls are released from the end: r waits at its own until the others rest.
   if (resizeWorks_) moveResize(steps_.engaged() ? made_.mostResize : wanted);
   steps_.apply(values_);
   return values_;
@@ -115,14 +115,14 @@ std::string Controller::notice() const {
   if (trouble == Trouble::NoEffect || trouble == Trouble::NoTimes) return noticeOf(trouble);
   if (steps_.exhausted()) {
     return fmt::format(
-        "the target of {:.4g} ms is out of reach: {:.4g} ms with every lever at its end",
+        "the target of {:.4g} ms is out of reach: {:.4g} ms with every quality control at its end",
         made_.targetMs, steps_.leastMs());
   }
   if (trouble == Trouble::CpuBound) return noticeOf(trouble);
   if (steps_.engaged()) {
     return fmt::format("r is {}; fovea's slope times {:.3g}, {:.3g} of the layers",
-                       resizeWorks_ ? "at its end" : "without work", values_[Lever::FoveaSlope],
-                       values_[Lever::LayerShare]);
+                       resizeWorks_ ? "at its end" : "without work",
+                       values_[QualityControl::FoveaSlope], values_[QualityControl::LayerShare]);
   }
   if (!resizeWorks_) return "nothing is computed at 1/r here, so r stays";
   if (waitMs_ > kWaitShare * intervalMs_) {

@@ -16,7 +16,7 @@ struct HeldFrame {
   double resize = 1.0;       ///< r as it was really used
   double fixedMs = 0.0;      ///< of the frame with the fixed r
   int load = 1;              ///< times that shading is computed
-  bool othersAtRest = true;  ///< no lever but r is away from rest
+  bool othersAtRest = true;  ///< no control but r is away from rest
 };
 
 /// What is compared.
@@ -40,7 +40,7 @@ enum class ResizeLimit {
 [[nodiscard]] std::string textOf(ResizeLimit limit, double mostResize);
 
 /// t = K / r^2 + C of one load, and the r that follows from it. By r alone: frames in which other
-/// levers are away from rest are left out, unless there are no others.
+/// controls are away from rest are left out, unless there are no others.
 struct ResizeModel {
   double workMs = 0.0;       ///< K: median of the resizable time, times r^2
   double restMs = 0.0;       ///< C: median of the other times

@@ -80,13 +80,13 @@ PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targ
   for (int frame = 0; frame < plantCase.frames; ++frame) {
     const std::optional<FrameTimes> newest = pipe.front();
     pipe.pop_front();
-    LeverValues levers = choose(newest ? &*newest : nullptr, resize, frame);
-    resize = levers[Lever::Resize];
+    ControlValues controls = choose(newest ? &*newest : nullptr, resize, frame);
+    resize = controls[QualityControl::Resize];
     if (plantCase.resizeStep > 0.0) {
       resize =
           std::max(std::round(resize / plantCase.resizeStep) * plantCase.resizeStep, kLeastResize);
     }
-    levers[Lever::Resize] = resize;
+    controls[QualityControl::Resize] = resize;
     const Load load = plantCase.load(frame);
     const double factor = 1.0 + plantCase.noise * dice.normal();
     const double spike = dice.happens(plantCase.spikeShare)
@@ -95,11 +95,11 @@ PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targ
     const bool hitch =
         plantCase.hitchMs > 0.0 && frame == (plantCase.steadyFrom + plantCase.frames) / 2;
     const double late = spike + (hitch ? plantCase.hitchMs : 0.0);
-    const double work = load.workOf(levers) * factor;
+    const double work = load.workOf(controls) * factor;
     PlantFrame drawn;
     drawn.resize = resize;
-    drawn.levers = levers;
-    drawn.trueMs = load.milliseconds(levers);
+    drawn.controls = controls;
+    drawn.trueMs = load.milliseconds(controls);
     drawn.spentMs = drawn.trueMs * factor + late;
     drawn.idealResize = idealResize(load, targetMs);
     run.frames.push_back(drawn);
@@ -112,9 +112,9 @@ PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targ
 
 PlantRun runPlant(Law& law, const PlantCase& plantCase, double targetMs, std::uint32_t seed) {
   const Chooser choose = [&](const FrameTimes* newest, double resize, int) {
-    LeverValues levers;
-    levers[Lever::Resize] = law.next(newest, resize);
-    return levers;
+    ControlValues controls;
+    controls[QualityControl::Resize] = law.next(newest, resize);
+    return controls;
   };
   PlantRun run = runPlant(choose, plantCase, targetMs, seed);
   run.notice = law.notice();

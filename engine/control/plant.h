@@ -10,32 +10,32 @@
 #include <vector>
 
 #include "engine/control/law.h"
-#include "engine/control/levers.h"
+#include "engine/control/quality_controls.h"
 
 namespace macula::control {
 
 /// What a frame really costs, before any noise: t = work / r^2 + fixed, and the parts that other
-/// levers reach.
+/// controls reach.
 struct Load {
   double workMs = 20.0;
   double fixedMs = 3.0;
   double layersMs = 0.0;       ///< of transparent surfaces: in proportion to the layers' share
   double foveatedShare = 0.0;  ///< of the work: in proportion to 1 / slope^2
 
-  [[nodiscard]] double workOf(const LeverValues& levers) const {
-    const double slope = levers[Lever::FoveaSlope];
-    const double resize = levers[Lever::Resize];
+  [[nodiscard]] double workOf(const ControlValues& controls) const {
+    const double slope = controls[QualityControl::FoveaSlope];
+    const double resize = controls[QualityControl::Resize];
     return workMs * (1.0 - foveatedShare + foveatedShare / (slope * slope)) / (resize * resize);
   }
-  [[nodiscard]] double milliseconds(const LeverValues& levers) const {
-    return workOf(levers) + layersMs * levers[Lever::LayerShare] + fixedMs;
+  [[nodiscard]] double milliseconds(const ControlValues& controls) const {
+    return workOf(controls) + layersMs * controls[QualityControl::LayerShare] + fixedMs;
   }
   [[nodiscard]] double milliseconds(double resize) const {
-    LeverValues levers;
-    levers[Lever::Resize] = resize;
-    return milliseconds(levers);
+    ControlValues controls;
+    controls[QualityControl::Resize] = resize;
+    return milliseconds(controls);
   }
-  [[nodiscard]] LeverWork levers() const {
+  [[nodiscard]] ControlWork controls() const {
     return {.resize = workMs > 0.0, .fovea = foveatedShare > 0.0, .layers = layersMs > 0.0};
   }
 };
@@ -73,7 +73,7 @@ struct PlantCase {
 /// A frame of a run.
 struct PlantFrame {
   double resize = 1.0;
-  LeverValues levers;
+  ControlValues controls;
   double trueMs = 0.0;       ///< without noise
   double spentMs = 0.0;      ///< with noise and spikes
   double idealResize = 1.0;  ///< that meets the target exactly, 1 to 8
@@ -84,10 +84,10 @@ struct PlantRun {
   std::string notice;  ///< of the law after the last frame
 };
 
-/// Chooses the levers of a frame as Controller::next() does.
-using Chooser = std::function<LeverValues(const FrameTimes* newest, double resize, int frame)>;
+/// Chooses the controls of a frame as Controller::next() does.
+using Chooser = std::function<ControlValues(const FrameTimes* newest, double resize, int frame)>;
 
-/// The same for anything that chooses levers; gives no notice.
+/// The same for anything that chooses controls; gives no notice.
 [[nodiscard]] PlantRun runPlant(const Chooser& choose, const PlantCase& plantCase, double targetMs,
                                 std::uint32_t seed);
 

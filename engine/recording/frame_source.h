@@ -13,7 +13,7 @@
 namespace macula::recording {
 
 /// Frames in their order, each with all that it is drawn from. A recording's frames also say what
-/// was done before them: settings, scene, size, levers and resets.
+/// was done before them: settings, scene, size, controls and resets.
 class FrameSource {
  public:
   FrameSource() = default;

@@ -144,9 +144,9 @@ Frame parseFrame(std::string_view text, const std::string& file, std::size_t lin
   frame.camera = parseCamera(reader.getTable("camera"));
   frame.gaze = parseGaze(reader.getTable("gaze"));
   frame.r = reader.get<double>("r", {.min = 1.0});
-  TypedReader levers = reader.table("levers");
-  for (const std::string& key : levers.keys()) {
-    frame.levers.emplace_back(key, levers.anyNumber(key));
+  TypedReader controls = reader.table("levers");
+  for (const std::string& key : controls.keys()) {
+    frame.controls.emplace_back(key, controls.anyNumber(key));
   }
   if (const auto unrecorded = reader.find<std::int64_t>("unrecorded", kCount, "frames")) {
     frame.unrecorded = static_cast<std::uint64_t>(*unrecorded);

@@ -68,8 +68,8 @@ struct Frame {
   Settings settings;          ///< that changed since the last frame
   scene::Camera camera;       ///< its name is not kept
   gaze::PointOfInterest gaze;
-  double r = 1.0;                                      ///< width of the image / width of the shaded
-  std::vector<std::pair<std::string, double>> levers;  ///< that a controller set, beside r
+  double r = 1.0;  ///< width of the image / width of the shaded
+  std::vector<std::pair<std::string, double>> controls;  ///< that a controller set, beside r
   std::uint64_t unrecorded = 0;  ///< frames that the renderer drew since the last recorded one
   std::string imageSha256;  ///< of the RGB8 pixels, rows from the top; empty where not asked for
 };

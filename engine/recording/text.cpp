@@ -169,10 +169,10 @@ void appendFrameLine(const Frame& frame, std::string& line) {
   appendKey("gaze", line);
   appendGaze(frame.gaze, line);
   appendEntry("r", frame.r, line);
-  if (!frame.levers.empty()) {
+  if (!frame.controls.empty()) {
     appendKey("levers", line);
     line += '{';
-    for (const auto& [name, value] : frame.levers) {
+    for (const auto& [name, value] : frame.controls) {
       appendName(name, line);
       appendNumber(value, line);
     }

@@ -51,8 +51,9 @@ void planLod(LodPlan& plan, const LodSettings& settings, const FoveationSettings
 
 void planFrame(LodPlan& plan, const LodSettings& settings, const FoveationSettings& foveation,
                const frame::FrameInputs& inputs, int samplesPerAxis) {
-  const frame::Levers& levers = inputs.levers;
-  const double asked = levers.resize > 0.0F ? static_cast<double>(levers.resize) : settings.resize;
+  const frame::QualityControls& controls = inputs.controls;
+  const double asked =
+      controls.resize > 0.0F ? static_cast<double>(controls.resize) : settings.resize;
   plan.resize = plan.wanted || plan.transparency
                     ? std::clamp(asked, control::kLeastResize, control::kMostResize)
                     : 1.0;
@@ -60,7 +61,7 @@ void planFrame(LodPlan& plan, const LodSettings& settings, const FoveationSettin
   plan.texels = resizedTexels(inputs.displaySize, plan.resize);
   plan.tiles = (plan.texels + LOD_TILE - 1) / LOD_TILE;
   constexpr double kSamplesPerCycle = 2.0;  // Nyquist
-  plan.acuity = {foveation.slope * static_cast<double>(levers.foveaSlope), foveation.fovealMar,
+  plan.acuity = {foveation.slope * static_cast<double>(controls.foveaSlope), foveation.fovealMar,
                  foveation.perCycle ? kSamplesPerCycle : 1.0, foveation.coarsest};
   plan.viewerSamples =
       static_cast<float>(viewerDistance(foveation, inputs.outputSize.x) * samplesPerAxis);

@@ -10,7 +10,7 @@
 
 namespace macula::passes {
 
-/// What follows from settings, scene and levers. The first part changes with settings and scene
+/// What follows from settings, scene and controls. The first part changes with settings and scene
 /// only; the second from frame to frame, without any allocation.
 struct LodPlan {
   /// Opaque surfaces may be shaded at a reduced rate: the passes have work.

@@ -107,7 +107,7 @@ def check_agreement(folder, name, text, most=4):
 
 
 def check_easy(folder):
-    """What full rate meets leaves every lever at rest, and is met."""
+    """What full rate meets leaves every quality control at rest, and is met."""
     results = json.loads(hold(folder, "smoke", "--target-ms", "9000", "--load", "none", *SHORT,
                               "--json", "-", "--out", "easy").stdout)
     assert results["gate"]["met"] is True and len(results["parts"]) == 1, results["gate"]
@@ -122,7 +122,7 @@ def check_easy(folder):
 
 
 def check_hopeless(folder):
-    """What nothing meets is said, with every lever at its end."""
+    """What nothing meets is said, with every quality control at its end."""
     results = json.loads(hold(folder, "smoke", "--target-ms", "0.01", "--load", "none", *SMALL,
                               "--k-ave", "2", "--frames", "130", "--json", "-",
                               "--out", "hopeless").stdout)

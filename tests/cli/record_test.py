@@ -339,8 +339,8 @@ def check_scene_change(folder):
 
     for change, words in (({"r": 9}, "line 7: 'r' is 9; give 1 to 8"),
                           ({"levers": {"fovea_slop": 1.5}}, "'fovea_slop' is not known; the nearest"),
-                          ({"levers": {"layer_share": 0}}, "line 7: the lever 'layer_share' is 0"),
-                          ({"levers": {"resize": "nan"}}, "line 7: the lever 'resize' is nan")):
+                          ({"levers": {"layer_share": 0}}, "line 7: the quality control 'layer_share' is 0"),
+                          ({"levers": {"resize": "nan"}}, "line 7: the quality control 'resize' is nan")):
         before = dict(frames[6])
         frames[6].update(change)
         write()
@@ -350,7 +350,7 @@ def check_scene_change(folder):
 
 
 def check_control(folder):
-    """Levers as they were used are in the file, and their replay gives the same images."""
+    """Quality controls as they were used are in the file, and their replay gives the same images."""
     script = os.path.join(folder, "control.txt")
     with open(script, "w", encoding="utf-8") as f:
         f.write("1 set control.fixedR=2.3\n4 set control.law=off\n")

@@ -146,7 +146,7 @@ std::vector<OitSettings> insertionsWithRoom(int layers) {
 TEST_F(GlTest, HolesTakeNoSlot) {
   const scene::Scene scene = cards();
   for (const OitSettings& oit : insertionsWithRoom(kCards / kSolidEvery)) {
-    Bench bench(scene, settingsOf(oit), {kSide, kSide}, machine());
+    Bench bench(scene, settingsOf(oit), {kSide, kSide}, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kSolidFragments) << describe(oit);
     EXPECT_EQ(result.fragments->stored, kSolidFragments) << describe(oit);
@@ -206,14 +206,14 @@ TEST_F(GlTest, CardsWithHolesAreAsTheirPieces) {
   const scene::Scene whole = cards();
   const scene::Scene cut = pieces();
   std::vector<OitSettings> all = crowdedCases();
-  const auto& samples = machine().capabilities.routableSamples;
+  const auto& samples = device().capabilities.routableSamples;
   if (!samples.empty()) {
     const int least = *std::min_element(samples.begin(), samples.end());
     all.push_back({.method = "kb-stencil", .kAve = static_cast<double>(least)});
   }
   for (const OitSettings& oit : all) {
-    Bench holed(whole, settingsOf(oit), {kSide, kSide}, machine());
-    Bench plain(cut, settingsOf(oit), {kSide, kSide}, machine());
+    Bench holed(whole, settingsOf(oit), {kSide, kSide}, device());
+    Bench plain(cut, settingsOf(oit), {kSide, kSide}, device());
     for (int i = 0; i < 2; ++i) {  // the second one has a history
       const passes::FrameResult a = holed.draw();
       const passes::FrameResult b = plain.draw();
@@ -272,7 +272,7 @@ scene::Scene tiltedCards() {
 TEST_F(GlTest, AllPassesAgreeOnFilteredHoles) {
   constexpr glm::ivec2 kSize{96, 72};
   const scene::Scene scene = tiltedCards();
-  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, device());
   const passes::FrameResult reference = exact.draw();
   EXPECT_TRUE(reference.exact);
   EXPECT_EQ(reference.fragments->stored, reference.fragments->generated);
@@ -286,7 +286,7 @@ TEST_F(GlTest, AllPassesAgreeOnFilteredHoles) {
   EXPECT_EQ(unlike, 0U);
   const std::vector<float> image = exact.linear();
   for (const OitSettings& oit : insertionsWithRoom(12)) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, reference.fragments->generated) << describe(oit);
     EXPECT_EQ(result.fragments->stored, reference.fragments->generated) << describe(oit);
@@ -309,21 +309,21 @@ TEST_F(GlTest, WhatIsAllHoleIsNotDrawn) {
   for (const std::size_t corner : {0U, 1U, 2U}) scene.primitives[1].attributes[corner].color.a = 0;
   for (auto& vertex : scene.primitives[3].attributes) vertex.color.a = 0;
   const scene::Scene left = sheets({list[1], list[4], list[5], wall});
-  Bench bench(scene, linearSettings("kb-fixed", 3), {16, 16}, machine());
-  Bench reference(left, linearSettings("ab-sbuffer"), {16, 16}, machine());
+  Bench bench(scene, linearSettings("kb-fixed", 3), {16, 16}, device());
+  Bench reference(left, linearSettings("ab-sbuffer"), {16, 16}, device());
   const std::uint64_t generated = bench.draw().fragments->generated;
   EXPECT_LT(generated, 3U * 16U * 16U) << "a triangle is missing";
   EXPECT_GT(generated, 2U * 16U * 16U) << "the other one is there";
   reference.draw();
   // The half view in which all corners have alpha.
   for (auto& vertex : scene.primitives[1].attributes) vertex.color.a = 1;
-  Bench restored(scene, linearSettings("kb-fixed", 3), {16, 16}, machine());
+  Bench restored(scene, linearSettings("kb-fixed", 3), {16, 16}, device());
   EXPECT_EQ(restored.draw().fragments->generated, 3U * 16U * 16U);
   EXPECT_LE(largestDifference(restored.linear(), reference.linear()), 2e-3F);
   for (scene::Material& material : scene.materials) {
     if (material.isTransparent()) material.baseColor.a = 0.0F;
   }
-  Bench nothing(scene, linearSettings("kb-fixed", 3), {16, 16}, machine());
+  Bench nothing(scene, linearSettings("kb-fixed", 3), {16, 16}, device());
   EXPECT_EQ(nothing.draw().fragments->generated, 0U);
   EXPECT_EQ(nothing.gpu.facts().transparentTriangles, 0U);
   EXPECT_EQ(nothing.linear().at(2), 1.0F);
@@ -340,7 +340,7 @@ TEST_F(GlTest, CardsOfTheSharedCaseShowBothVisibleLayers) {
     OitSettings oit{.method = method, .kAve = 2, .layers = 2};
     // Importance alone may leave a pixel one slot.
     oit.fill = oit.method == "kb-variable" || oit.method == "kb-learned";
-    Bench bench(scene, settingsOf(oit), {200, 200}, machine());
+    Bench bench(scene, settingsOf(oit), {200, 200}, device());
     bench.draw();
     const std::vector<float> image = bench.linear();
     const std::size_t middle = 3 * (100 * 200 + 100);
@@ -351,10 +351,10 @@ TEST_F(GlTest, CardsOfTheSharedCaseShowBothVisibleLayers) {
 }
 
 /// Root mean squared error of linear values against the exact image.
-double errorOf(const scene::Scene& scene, const OitSettings& oit, passes::Machine& machine) {
+double errorOf(const scene::Scene& scene, const OitSettings& oit, passes::DeviceContext& device) {
   constexpr glm::ivec2 kSize{128, 128};
-  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine);
-  Bench bench(scene, settingsOf(oit), kSize, machine);
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, device);
+  Bench bench(scene, settingsOf(oit), kSize, device);
   exact.draw();
   bench.draw();
   const std::vector<float> a = exact.linear();
@@ -376,9 +376,9 @@ TEST_F(GlTest, LeavesOfTheSharedCaseAreAsNearAsDiscs) {
     OitSettings best{.method = "kb-variable", .kAve = kAve, .fill = true, .tail = Tail::Mean};
     best.importance = Predictor::Error;
     for (const OitSettings& oit : {plain, best}) {
-      const double error = errorOf(leaves, oit, machine());
+      const double error = errorOf(leaves, oit, device());
       note(describe(oit), error);
-      EXPECT_LE(error, 1.1 * errorOf(discs, oit, machine()) + 1e-4) << describe(oit);
+      EXPECT_LE(error, 1.1 * errorOf(discs, oit, device()) + 1e-4) << describe(oit);
     }
   }
 }

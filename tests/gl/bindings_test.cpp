@@ -36,7 +36,7 @@ class Bindings : public GlTest {
     passes::OitPlan plan;
     passes::LodPlan lod;
     try {
-      planMethod(plan, {settings.oit, machine().capabilities, machine().ordered, samples});
+      planMethod(plan, {settings.oit, device().capabilities, device().ordered, samples});
     } catch (const InputError&) {
       return false;  // interlock, or stencil routing
     }
@@ -51,8 +51,8 @@ class Bindings : public GlTest {
     frame::FrameList list = makeFrameList(settings, plan, lod);
     EXPECT_THAT(list.validate(in), testing::IsEmpty());
     frame::FrameResources resources;
-    list.prepare(in, resources, machine().programs,
-                 {.maxStorageBlockBytes = machine().capabilities.maxStorageBlockBytes});
+    list.prepare(in, resources, device().programs,
+                 {.maxStorageBlockBytes = device().capabilities.maxStorageBlockBytes});
     ++frames_;
     programs_ += list.compared().programs;
     rows_ += list.compared().rows;
@@ -202,8 +202,8 @@ TEST_F(Bindings, OfAFaultyTableAreReported) {
   frame::FrameInputs in;
   in.outputSize = in.displaySize = kSize;
   frame::FrameResources resources;
-  list.prepare(in, resources, machine().programs,
-               {.maxStorageBlockBytes = machine().capabilities.maxStorageBlockBytes});
+  list.prepare(in, resources, device().programs,
+               {.maxStorageBlockBytes = device().capabilities.maxStorageBlockBytes});
   EXPECT_THAT(
       debugLog().messages(),
       testing::UnorderedElementsAre(
@@ -220,9 +220,9 @@ TEST_F(GlTest, SharedMemoryChangesNoFrame) {
     RenderSettings settings = settingsOf(oit);
     settings.lod = {.resize = 2.0, .transparency = true};
     settings.shadow.size = 64;  // or its bytes would hide those of the buffers
-    Bench sharing(scene, settings, kSize, machine());
+    Bench sharing(scene, settings, kSize, device());
     settings.readBack = true;
-    Bench separate(scene, settings, kSize, machine());
+    Bench separate(scene, settings, kSize, device());
     for (int frame = 0; frame < 3; ++frame) {
       sharing.draw();
       separate.draw();
@@ -349,7 +349,7 @@ TEST_F(GlTest, SharedStructsLieAsTheShadersReadThem) {
       {rates, GL_BUFFER_VARIABLE, "totals.", kLodTotalsMembers, 0, 0}};
   std::size_t compared = 0;
   for (const SharedBlock& block : blocks) {
-    const GLuint program = machine().programs.get(block.program);
+    const GLuint program = device().programs.get(block.program);
     const std::string where = block.program.files.back() + " " + block.prefix;
     Members missing = block.members;
     GLint count = 0;

@@ -25,10 +25,10 @@ TEST_P(Culling, KeepsTheNearestOfLemma21) {
     if (!sorted && std::string_view(sync) != "auto") continue;
     settings.oit.sync = sync;
     settings.oit.cull = passes::Cull::None;
-    Bench plain(scene, settings, kSize, machine());
+    Bench plain(scene, settings, kSize, device());
     settings.oit.cull = passes::Cull::Occupancy;
     settings.oit.cullWords = GetParam().words;
-    Bench culled(scene, settings, kSize, machine());
+    Bench culled(scene, settings, kSize, device());
     for (int i = 0; i < 3; ++i) {  // the map is left empty for the next frame
       const passes::FrameResult a = plain.draw();
       const passes::FrameResult b = culled.draw();
@@ -69,9 +69,9 @@ TEST_F(GlTest, CullingKeepsCoplanarLayers) {
       position += forward * (5.0F - glm::dot(position - eye, forward));
     }
   }
-  Bench plain(scene, settings, {32, 24}, machine());
+  Bench plain(scene, settings, {32, 24}, device());
   settings.oit.cull = passes::Cull::Occupancy;
-  Bench culled(scene, settings, {32, 24}, machine());
+  Bench culled(scene, settings, {32, 24}, device());
   plain.draw();
   culled.draw();
   EXPECT_EQ(plain.linear(), culled.linear());
@@ -86,7 +86,7 @@ passes::RenderSettings predicted(double kAve) {
 }
 
 TEST_F(GlTest, PredictedCountsOfAStillViewAreThoseOfTheLastFrame) {
-  Bench bench(tangle(300, 5), predicted(3.0), {64, 48}, machine());
+  Bench bench(tangle(300, 5), predicted(3.0), {64, 48}, device());
   bench.draw();
   const auto counted = bench.floats(passes::kFragmentCount, 1);
   const passes::FrameResult second = bench.draw();
@@ -106,7 +106,7 @@ TEST_F(GlTest, StillViewsWithTailsRepeat) {
   passes::RenderSettings settings = predicted(1.5);
   for (const auto count : {passes::CountSource::Drawn, passes::CountSource::Predicted}) {
     settings.oit.count = count;
-    Bench bench(tangle(300, 6), settings, {64, 48}, machine());
+    Bench bench(tangle(300, 6), settings, {64, 48}, device());
     // A pixel whose only slot is its tail's learns its front's normal when it first gets another.
     constexpr int kSettling = 30;
     for (int i = 0; i < kSettling; ++i) bench.draw();
@@ -119,7 +119,7 @@ TEST_F(GlTest, StillViewsWithTailsRepeat) {
 }
 
 TEST_F(GlTest, PredictedCountsLoseNothingAtACutAndLittleInMotion) {
-  Bench bench(tangle(300, 5), predicted(3.0), {64, 48}, machine());
+  Bench bench(tangle(300, 5), predicted(3.0), {64, 48}, device());
   bench.draw();
   bench.draw();
   const scene::Camera start = bench.camera;

@@ -18,11 +18,11 @@ TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
       {.method = "kb-variable", .fill = true, .importance = passes::Predictor::Error},
       learnedUtility(4.0)};
   for (const passes::Method& method : passes::methods()) {
-    if (method.id == "kb-stencil" && machine().capabilities.routableSamples.empty()) continue;
+    if (method.id == "kb-stencil" && device().capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});
   }
   for (const passes::OitSettings& oit : all) {
-    Bench bench(scene, settingsOf(oit), {64, 64}, machine());
+    Bench bench(scene, settingsOf(oit), {64, 64}, device());
     for (int i = 0; i < 3; ++i) bench.draw();
     const std::size_t before = allocationCount();
     for (int i = 0; i < 5; ++i) bench.draw();
@@ -32,8 +32,8 @@ TEST_F(GlTest, FrameLoopAllocatesNothingAfterWarmUp) {
 
 TEST_F(GlTest, TwoRunsGiveTheSameBits) {
   const scene::Scene scene = tangle(300, 6);
-  Bench a(scene, linearSettings("kb-variable", 1.0), {96, 64}, machine());
-  Bench b(scene, linearSettings("kb-variable", 1.0), {96, 64}, machine());
+  Bench a(scene, linearSettings("kb-variable", 1.0), {96, 64}, device());
+  Bench b(scene, linearSettings("kb-variable", 1.0), {96, 64}, device());
   for (int i = 0; i < 3; ++i) {
     a.draw({0.3F, 0.4F});
     b.draw({0.3F, 0.4F});
@@ -55,7 +55,7 @@ TEST_F(GlTest, BackgroundShowsWhereNothingIsDrawnAndRowsStartAtTheTop) {
   scene.instances.front().transform[3][1] += camera.position.y - bottom;
   passes::RenderSettings settings = linearSettings("ab-sbuffer");
   settings.background = {0.25F, 0.5F, 0.75F};
-  Bench bench(scene, settings, {16, 16}, machine());
+  Bench bench(scene, settings, {16, 16}, device());
   bench.draw();
   const std::vector<float> rgb = bench.linear();
   const std::size_t lastRow = 3 * 16 * 15;
@@ -67,9 +67,9 @@ TEST_F(GlTest, BackgroundShowsWhereNothingIsDrawnAndRowsStartAtTheTop) {
 TEST_F(GlTest, SupersamplingAveragesSamples) {
   const scene::Scene scene = tangle(60, 8);
   passes::RenderSettings settings = linearSettings("ab-sbuffer");
-  Bench full(scene, settings, {64, 64}, machine());
+  Bench full(scene, settings, {64, 64}, device());
   settings.tonemap.ssaa = 2;
-  Bench averaged(scene, settings, {32, 32}, machine());
+  Bench averaged(scene, settings, {32, 32}, device());
   full.draw();
   averaged.draw();
   const auto big = full.linear();
@@ -104,7 +104,7 @@ TEST_F(GlTest, AnEvenEnvironmentMakesWhiteSurfacesVanish) {
   }
   const scene::GpuScene gpu(scene, &environment);
   const passes::RenderSettings settings = linearSettings("ab-sbuffer");
-  passes::FrameRenderer renderer(settings, machine());
+  passes::FrameRenderer renderer(settings, device());
   renderer.resize({48, 48});
   renderer.setScene(gpu);
   renderer.render(scene.cameras.front(), glm::vec2(0.5F));
@@ -115,30 +115,30 @@ TEST_F(GlTest, AnEvenEnvironmentMakesWhiteSurfacesVanish) {
 }
 
 TEST_F(GlTest, TimerAndRasteriserWereJudged) {
-  EXPECT_FALSE(machine().time.reason.empty());
-  EXPECT_FALSE(machine().ordered.reason.empty());
-  if (machine().capabilities.renderer.starts_with("llvmpipe")) {
-    EXPECT_EQ(machine().time.source, gl::TimeSource::Finish) << "its timer is known to be wrong";
-    EXPECT_TRUE(machine().ordered.passed);
+  EXPECT_FALSE(device().time.reason.empty());
+  EXPECT_FALSE(device().ordered.reason.empty());
+  if (device().capabilities.renderer.starts_with("llvmpipe")) {
+    EXPECT_EQ(device().time.source, gl::TimeSource::Finish) << "its timer is known to be wrong";
+    EXPECT_TRUE(device().ordered.passed);
   }
 }
 
 TEST_F(GlTest, WhatTheGpuCannotDoIsOneLine) {
   const scene::Scene scene = tangle(10, 1);
   passes::RenderSettings settings = linearSettings("kb-variable", 4096.0);
-  Bench large(scene, settings, {4096, 4096}, machine());
+  Bench large(scene, settings, {4096, 4096}, device());
   EXPECT_THROW(large.draw(), InputError);
   settings.oit.kAve = 1.0;
   settings.oit.memoryMiB = 1e-6;
-  Bench small(scene, settings, {64, 64}, machine());
+  Bench small(scene, settings, {64, 64}, device());
   EXPECT_THROW(small.draw(), InputError);
   settings.oit.memoryMiB = 0.0;
   settings.tonemap.ssaa = 4;
-  EXPECT_THROW(Bench(scene, settings, {16384, 16384}, machine()), InputError);
-  if (!machine().capabilities.fragmentShaderInterlock) {
+  EXPECT_THROW(Bench(scene, settings, {16384, 16384}, device()), InputError);
+  if (!device().capabilities.fragmentShaderInterlock) {
     settings.tonemap.ssaa = 1;
     settings.oit.sync = "interlock";
-    Bench locked(scene, settings, {64, 64}, machine());
+    Bench locked(scene, settings, {64, 64}, device());
     EXPECT_THROW(locked.draw(), InputError);
   }
 }

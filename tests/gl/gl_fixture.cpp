@@ -12,13 +12,13 @@ namespace {
 struct World {
   window::HeadlessContext context{window::EglPlatform::Auto, true};
   gl::DebugLog log;
-  passes::Machine machine;
+  passes::DeviceContext device;
 
   World() {
     const char* expected = std::getenv("MACULA_EXPECTED_DRIVER");
-    if (expected != nullptr && machine.capabilities.renderer.find(expected) == std::string::npos) {
+    if (expected != nullptr && device.capabilities.renderer.find(expected) == std::string::npos) {
       throw std::runtime_error("the tests were to run on " + std::string(expected) +
-                               " and run on " + machine.capabilities.renderer);
+                               " and run on " + device.capabilities.renderer);
     }
   }
 };
@@ -38,18 +38,18 @@ void GlTest::TearDown() {
   for (const std::string& message : world().log.messages()) ADD_FAILURE() << "GL: " << message;
 }
 
-passes::Machine& GlTest::machine() {
-  return world().machine;
+passes::DeviceContext& GlTest::device() {
+  return world().device;
 }
 gl::DebugLog& GlTest::debugLog() {
   return world().log;
 }
 
 Bench::Bench(const scene::Scene& scene, const passes::RenderSettings& s, glm::ivec2 size,
-             passes::Machine& machine, scene::DrawOrder order)
+             passes::DeviceContext& device, scene::DrawOrder order)
     : settings(s),
       gpu(scene, nullptr, order),
-      renderer(settings, machine),
+      renderer(settings, device),
       camera(scene.cameras.front()) {
   renderer.resize(size);
   renderer.setScene(gpu);

@@ -10,9 +10,9 @@
 #include "engine/gl/debug.h"
 #include "engine/scene/gpu_scene.h"
 #include "engine/window/headless.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
 #include "passes/lod/resources.h"
-#include "passes/machine.h"
 #include "passes/oit/resources.h"
 #include "passes/resources.h"
 
@@ -23,14 +23,14 @@ class GlTest : public testing::Test {
  protected:
   void SetUp() override;
   void TearDown() override;
-  static passes::Machine& machine();
+  static passes::DeviceContext& device();
   static gl::DebugLog& debugLog();
 };
 
 /// A scene in GPU memory and a renderer that draws it.
 struct Bench {
   Bench(const scene::Scene& scene, const passes::RenderSettings& settings, glm::ivec2 size,
-        passes::Machine& machine, scene::DrawOrder order = {});
+        passes::DeviceContext& device, scene::DrawOrder order = {});
   passes::FrameResult draw(glm::vec2 gaze = glm::vec2(0.5F), bool cut = false);
   [[nodiscard]] std::vector<std::uint8_t> display() const;
   /// The heat map, where one is drawn; the image otherwise.

@@ -34,7 +34,7 @@ TEST_F(GlTest, ImportanceAndLayersEqualTheMirror) {
   constexpr glm::ivec2 kSize{75, 50};  // no multiple of a strip
   for (const glm::vec2 gaze : {glm::vec2(0.5F), glm::vec2(0.0F, 1.0F), glm::vec2(0.8F, 0.1F)}) {
     for (const double kAve : {2.0, 5.0}) {
-      Bench bench(tangle(400, 2), mirrored(kAve), kSize, machine());
+      Bench bench(tangle(400, 2), mirrored(kAve), kSize, device());
       bench.draw(gaze);
       const auto importance = bench.words(passes::kImportance, 1);
       const auto ranges = bench.words(passes::kFragmentRange, 2);
@@ -62,7 +62,7 @@ TEST_F(GlTest, ImportanceAndLayersEqualTheMirror) {
 
 TEST_F(GlTest, AnUncertainGazeWidensWhatCountsAsLookedAt) {
   constexpr glm::ivec2 kSize{60, 40};
-  Bench bench(tangle(400, 2), mirrored(3.0), kSize, machine());
+  Bench bench(tangle(400, 2), mirrored(3.0), kSize, device());
   gaze::PointOfInterest point = gaze::exactPoint({0.25, 0.5});
   point.radius = gaze::kFoveaRadius + 0.2F;  // 8 pixels more
   bench.renderer.render(bench.camera, point);
@@ -82,7 +82,7 @@ TEST_F(GlTest, AnUncertainGazeWidensWhatCountsAsLookedAt) {
 }
 
 TEST_F(GlTest, LayersFollowTheGaze) {
-  Bench bench(tangle(900, 4), mirrored(6.0), {96, 96}, machine());
+  Bench bench(tangle(900, 4), mirrored(6.0), {96, 96}, device());
   const auto meanNear = [&](glm::vec2 gaze, int centerX) {
     bench.draw(gaze);
     const auto ranges = bench.words(passes::kFragmentRange, 2);
@@ -105,7 +105,7 @@ TEST_F(History, IsInvalidOnTheFirstFrameAfterAResizeAndAfterACut) {
     bench.draw(glm::vec2(0.5F), cut);
     return bench.words(passes::kImportance, 1);
   };
-  Bench bench(scene, mirrored(2.0), {64, 64}, machine());
+  Bench bench(scene, mirrored(2.0), {64, 64}, device());
   const auto first = importanceOfFrame(bench, false);
   const auto second = importanceOfFrame(bench, false);
   EXPECT_NE(first, second) << "the second frame sees the first one's normals";
@@ -114,7 +114,7 @@ TEST_F(History, IsInvalidOnTheFirstFrameAfterAResizeAndAfterACut) {
   importanceOfFrame(bench, false);
   bench.camera.position.x += 0.5F * bench.gpu.bounds().radius();
   bench.camera.target.x += 0.5F * bench.gpu.bounds().radius();
-  Bench moved(scene, mirrored(2.0), {64, 64}, machine());
+  Bench moved(scene, mirrored(2.0), {64, 64}, device());
   moved.camera = bench.camera;
   EXPECT_EQ(importanceOfFrame(bench, false), importanceOfFrame(moved, false))
       << "a jump of the camera forgets";
@@ -124,7 +124,7 @@ TEST_F(History, IsInvalidOnTheFirstFrameAfterAResizeAndAfterACut) {
 }
 
 TEST_F(History, FrontNormalIsThatOfTheNearestFragment) {
-  Bench bench(tangle(300, 9), mirrored(4.0), {64, 64}, machine());
+  Bench bench(tangle(300, 9), mirrored(4.0), {64, 64}, device());
   bench.draw();
   const auto normals = bench.floats(passes::kFrontNormal, 4);
   const auto counts = bench.floats(passes::kFragmentCount, 1);

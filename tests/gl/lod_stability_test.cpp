@@ -14,8 +14,8 @@ namespace {
 constexpr glm::ivec2 kSize{128, 128};
 
 std::vector<float> draw(const scene::Scene& scene, const passes::RenderSettings& settings,
-                        passes::Machine& machine) {
-  Bench bench(scene, settings, kSize, machine);
+                        passes::DeviceContext& device) {
+  Bench bench(scene, settings, kSize, device);
   (void)bench.draw();
   return radiance(bench);
 }
@@ -30,7 +30,7 @@ passes::RenderSettings by(passes::Reconstruction filter, double r,
 using enum passes::Reconstruction;
 
 TEST_F(GlTest, ThinWiresLeaveNoNanAndNoWhite) {
-  const std::vector<float> full = draw(wires(), resized(1.0), machine());
+  const std::vector<float> full = draw(wires(), resized(1.0), device());
   const float brightest = *std::max_element(full.begin(), full.end());
   for (const auto filter : {Yang2008, Macula}) {
     for (const auto holes : {passes::Holes::Shade, passes::Holes::Tap}) {
@@ -40,7 +40,7 @@ TEST_F(GlTest, ThinWiresLeaveNoNanAndNoWhite) {
         // So small that even the same surface hardly fits.
         settings.lod.sigmaDepth = 1e-5;
         settings.lod.sigmaNormal = 1e-3;
-        Bench bench(wires(), settings, kSize, machine());
+        Bench bench(wires(), settings, kSize, device());
         const passes::FrameResult result = bench.draw();
         EXPECT_EQ(result.shading.holes > 0, holes == passes::Holes::Shade);
         for (const float value : radiance(bench)) {
@@ -54,9 +54,9 @@ TEST_F(GlTest, ThinWiresLeaveNoNanAndNoWhite) {
 }
 
 TEST_F(GlTest, WiresAreAsDarkAsAtFullRate) {
-  const std::vector<float> full = draw(wires(), resized(1.0), machine());
-  const double plain = rootMeanSquare(full, draw(wires(), by(Bilinear, 4.0), machine()));
-  const double fitted = rootMeanSquare(full, draw(wires(), by(Macula, 4.0), machine()));
+  const std::vector<float> full = draw(wires(), resized(1.0), device());
+  const double plain = rootMeanSquare(full, draw(wires(), by(Bilinear, 4.0), device()));
+  const double fitted = rootMeanSquare(full, draw(wires(), by(Macula, 4.0), device()));
   EXPECT_LT(fitted, 0.4 * plain) << fitted << " against " << plain;
 }
 
@@ -67,10 +67,10 @@ struct EdgeError {
 };
 
 EdgeError edgeError(const scene::Scene& scene, const passes::RenderSettings& settings,
-                    passes::Machine& machine) {
-  Bench full(scene, resized(1.0), kSize, machine);
+                    passes::DeviceContext& device) {
+  Bench full(scene, resized(1.0), kSize, device);
   (void)full.draw();
-  Bench bench(scene, settings, kSize, machine);
+  Bench bench(scene, settings, kSize, device);
   (void)bench.draw();
   const std::vector<float> depth = full.depths(passes::kDepth);
   const std::vector<float> wanted = radiance(full);
@@ -103,16 +103,16 @@ EdgeError edgeError(const scene::Scene& scene, const passes::RenderSettings& set
 
 TEST_F(GlTest, SilhouettesHaveNoHalo) {
   // Yang 2008, Fig. 4: parts of the shading leak over depth edges when they are spread bilinearly.
-  const EdgeError plain = edgeError(litCard(), by(Bilinear, 4.0, "shadow"), machine());
+  const EdgeError plain = edgeError(litCard(), by(Bilinear, 4.0, "shadow"), device());
   EXPECT_GT(plain.edge, 0.1) << "a halo";
   EXPECT_GT(plain.edge, 10.0 * plain.elsewhere);
   for (const auto filter : {Yang2008, Macula}) {
-    const EdgeError fitted = edgeError(litCard(), by(filter, 4.0, "shadow"), machine());
+    const EdgeError fitted = edgeError(litCard(), by(filter, 4.0, "shadow"), device());
     EXPECT_LT(fitted.edge, 0.01 * plain.edge) << "none";
   }
   // The whole of the shading, colours apart.
-  const EdgeError whole = edgeError(litCard(), by(Macula, 4.0), machine());
-  EXPECT_LT(whole.edge, 0.02 * edgeError(litCard(), by(Bilinear, 4.0), machine()).edge);
+  const EdgeError whole = edgeError(litCard(), by(Macula, 4.0), device());
+  EXPECT_LT(whole.edge, 0.02 * edgeError(litCard(), by(Bilinear, 4.0), device()).edge);
 }
 
 TEST_F(GlTest, SurfaceColoursStayAtFullRate) {
@@ -126,17 +126,17 @@ TEST_F(GlTest, SurfaceColoursStayAtFullRate) {
   scene.lights.clear();
   scene.ambient = glm::vec3(0.7F);
   passes::RenderSettings settings = by(Macula, 4.0);
-  const std::vector<float> full = draw(scene, resized(1.0), machine());
-  const double light = rootMeanSquare(full, draw(scene, settings, machine()));
+  const std::vector<float> full = draw(scene, resized(1.0), device());
+  const double light = rootMeanSquare(full, draw(scene, settings, device()));
   settings.lod.demodulate = false;
-  const double all = rootMeanSquare(full, draw(scene, settings, machine()));
+  const double all = rootMeanSquare(full, draw(scene, settings, device()));
   EXPECT_GT(all, 5e-3);
   EXPECT_LT(light, 0.3 * all) << "even light carries nothing of the colours";
 }
 
 TEST_F(GlTest, ColoursOfEveryKindOfMaterialAreThoseOfFullRate) {
   const scene::Scene scene = swatches();
-  const std::vector<float> full = draw(scene, resized(1.0), machine());
+  const std::vector<float> full = draw(scene, resized(1.0), device());
   std::vector<passes::RenderSettings> all;
   for (const double r : {1.5, 2.0, 4.0, 7.0}) all.push_back(by(Macula, r));
   passes::RenderSettings foveated = resized(1.0);
@@ -145,7 +145,7 @@ TEST_F(GlTest, ColoursOfEveryKindOfMaterialAreThoseOfFullRate) {
   foveated.foveation.slope = 0.1;
   all.push_back(foveated);
   for (const passes::RenderSettings& settings : all) {
-    Bench bench(scene, settings, kSize, machine());
+    Bench bench(scene, settings, kSize, device());
     const passes::FrameResult result = bench.draw({0.1F, 0.1F});
     const std::vector<float> got = radiance(bench);
     float worst = 0.0F;
@@ -158,34 +158,34 @@ TEST_F(GlTest, ColoursOfEveryKindOfMaterialAreThoseOfFullRate) {
   // Nor does the best sample bring the light of another kind.
   passes::RenderSettings taps = by(Macula, 2.0);
   taps.lod.holes = passes::Holes::Tap;
-  EXPECT_LT(rootMeanSquare(full, draw(scene, taps, machine())), 0.05);
+  EXPECT_LT(rootMeanSquare(full, draw(scene, taps, device())), 0.05);
 }
 
 TEST_F(GlTest, BrightSamplesStayFinite) {
   scene::Scene scene = still();
   scene.materials[0].emissive = glm::vec3(3000.0F);
   scene.materials[0].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
-  for (const float value : draw(scene, resized(2.0), machine())) ASSERT_TRUE(std::isfinite(value));
+  for (const float value : draw(scene, resized(2.0), device())) ASSERT_TRUE(std::isfinite(value));
 }
 
 TEST_F(GlTest, GrazingPlanesNeedTheTangentPlane) {
   // Nothing but a plane: its own samples fit everywhere, although depth changes fast across it.
-  Bench bench(grazing(), by(Macula, 4.0), kSize, machine());
+  Bench bench(grazing(), by(Macula, 4.0), kSize, device());
   const passes::FrameResult macula = bench.draw();
   EXPECT_EQ(macula.shading.holes, 0U);
   passes::RenderSettings settings = by(Yang2008, 4.0);
-  Bench yang(grazing(), settings, kSize, machine());
+  Bench yang(grazing(), settings, kSize, device());
   EXPECT_GT(yang.draw().shading.holes, macula.shading.holes) << "differences of depth alone fail";
   settings.lod.holes = passes::Holes::Tap;
-  const std::vector<float> full = draw(grazing(), resized(1.0), machine());
-  const double published = rootMeanSquare(full, draw(grazing(), settings, machine()));
+  const std::vector<float> full = draw(grazing(), resized(1.0), device());
+  const double published = rootMeanSquare(full, draw(grazing(), settings, device()));
   EXPECT_LT(rootMeanSquare(full, radiance(bench)), published);
 }
 
 TEST_F(GlTest, FlickerOfAFactorThatChangesEveryFrame) {
   // The picture stands still; what changes is r. Mean absolute change against the reference's, 0.
   const auto flickerOf = [&](passes::Reconstruction filter) {
-    Bench bench(still(), by(filter, 1.5), kSize, machine());
+    Bench bench(still(), by(filter, 1.5), kSize, device());
     measure::FlickerMeter meter;
     double sum = 0.0;
     constexpr int kFrames = 12;
@@ -195,7 +195,7 @@ TEST_F(GlTest, FlickerOfAFactorThatChangesEveryFrame) {
         .channels = 3,
         .pixels = std::vector<float>(static_cast<std::size_t>(kSize.x * kSize.y) * 3, 0.0F)};
     for (int i = 0; i < kFrames; ++i) {
-      bench.renderer.setLevers({.resize = 2.0F + 0.4F * std::sin(1.7F * static_cast<float>(i))});
+      bench.renderer.setControls({.resize = 2.0F + 0.4F * std::sin(1.7F * static_cast<float>(i))});
       (void)bench.draw();
       image::ImageF image = reference;
       image.pixels = bench.linear();
@@ -215,11 +215,11 @@ TEST_F(GlTest, GazeThatJumpsLeavesNothingBehind) {
   passes::RenderSettings settings = resized(1.0);
   settings.foveation.enabled = true;
   settings.foveation.pixelsPerDegree = 10.0;
-  Bench jumping(richStill(), settings, kSize, machine());
+  Bench jumping(richStill(), settings, kSize, device());
   for (const glm::vec2 gaze :
        {glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1), glm::vec2(1, 0)}) {
     (void)jumping.draw(gaze);
-    Bench fresh(richStill(), settings, kSize, machine());
+    Bench fresh(richStill(), settings, kSize, device());
     (void)fresh.draw(gaze);
     EXPECT_EQ(radiance(jumping), radiance(fresh)) << gaze.x << ',' << gaze.y;
   }
@@ -228,12 +228,12 @@ TEST_F(GlTest, GazeThatJumpsLeavesNothingBehind) {
 TEST_F(GlTest, TheWindowMayChangeUnderAnyFactor) {
   passes::RenderSettings settings = resized(2.5, "shadow,ao,noise");
   settings.foveation.enabled = true;
-  Bench bench(richStill(), settings, kSize, machine());
+  Bench bench(richStill(), settings, kSize, device());
   (void)bench.draw();
   for (const glm::ivec2 size : {glm::ivec2(33, 70), glm::ivec2(1, 1), glm::ivec2(128, 17)}) {
     bench.renderer.resize(size);
     (void)bench.draw();
-    Bench fresh(richStill(), settings, size, machine());
+    Bench fresh(richStill(), settings, size, device());
     (void)fresh.draw();
     EXPECT_EQ(radiance(bench), radiance(fresh)) << size.x << 'x' << size.y;
   }

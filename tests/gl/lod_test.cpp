@@ -156,7 +156,7 @@ TEST_F(GlTest, ReconstructionIsWhatTheMirrorSays) {
       passes::RenderSettings settings = resized(r);
       settings.lod.reconstruction = filter;
       settings.lod.demodulate = false;
-      Bench bench(scene, settings, kSize, machine());
+      Bench bench(scene, settings, kSize, device());
       const passes::FrameResult result = bench.draw();
       const ReconstructionMirror mirror = mirrorOf(bench);
       const std::vector<float> image = radiance(bench);
@@ -194,7 +194,7 @@ TEST_F(GlTest, FoveatedReconstructionIsWhatTheMirrorSays) {
     settings.foveation.slope = 0.1;
     settings.lod.resize = r;
     settings.lod.demodulate = false;
-    Bench bench(still(), settings, kWide, machine());
+    Bench bench(still(), settings, kWide, device());
     (void)bench.draw({0.3F, 0.6F});
     const ReconstructionMirror mirror = mirrorOf(bench);
     EXPECT_EQ(std::set<int>(mirror.levels.begin(), mirror.levels.end()).size(), r == 1.0 ? 4U : 3U)
@@ -217,13 +217,13 @@ TEST_F(GlTest, FoveatedReconstructionIsWhatTheMirrorSays) {
 }
 
 TEST_F(GlTest, PixelsThatWereShadedKeepTheirValue) {
-  Bench full(still(), resized(1.0), kSize, machine());
+  Bench full(still(), resized(1.0), kSize, device());
   (void)full.draw();
   const std::vector<float> wanted = radiance(full);
   for (const double r : {2.0, 3.3}) {
     passes::RenderSettings settings = resized(r);
     settings.lod.demodulate = false;
-    Bench bench(still(), settings, kSize, machine());
+    Bench bench(still(), settings, kSize, device());
     (void)bench.draw();
     const std::vector<float> got = radiance(bench);
     const auto pitch = static_cast<float>(r);
@@ -246,12 +246,12 @@ TEST_F(GlTest, PixelsThatWereShadedKeepTheirValue) {
 }
 
 TEST_F(GlTest, HolesHaveTheirFullRateValue) {
-  Bench full(wires(), resized(1.0), kSize, machine());
+  Bench full(wires(), resized(1.0), kSize, device());
   (void)full.draw();
   const std::vector<float> wanted = radiance(full);
   passes::RenderSettings settings = resized(4.0);
   settings.readBack = true;
-  Bench bench(wires(), settings, kSize, machine());
+  Bench bench(wires(), settings, kSize, device());
   const passes::FrameResult result = bench.draw();
   ASSERT_GT(result.shading.holes, 50U);
   const std::vector<std::uint32_t> holes = bench.bufferWords(passes::kLodHoles);
@@ -266,14 +266,14 @@ TEST_F(GlTest, HolesHaveTheirFullRateValue) {
   EXPECT_EQ(places.size(), result.shading.holes) << "each is listed once";
 }
 
-TEST_F(GlTest, FullRateWithLeversReadyIsTheSameImage) {
-  Bench plain(richStill(), resized(1.0), kSize, machine());
+TEST_F(GlTest, FullRateWithControlsReadyIsTheSameImage) {
+  Bench plain(richStill(), resized(1.0), kSize, device());
   (void)plain.draw();
-  Bench bench(richStill(), resized(1.0), kSize, machine());
-  bench.renderer.setLevers({.resize = 2.0F});
+  Bench bench(richStill(), resized(1.0), kSize, device());
+  bench.renderer.setControls({.resize = 2.0F});
   (void)bench.draw();
   EXPECT_GT(rootMeanSquare(radiance(plain), radiance(bench)), 0.0);
-  bench.renderer.setLevers({.resize = 1.0F});
+  bench.renderer.setControls({.resize = 1.0F});
   const passes::FrameResult result = bench.draw();
   EXPECT_EQ(radiance(plain), radiance(bench));
   EXPECT_EQ(result.resizeFactor, 1.0);
@@ -281,34 +281,34 @@ TEST_F(GlTest, FullRateWithLeversReadyIsTheSameImage) {
 }
 
 TEST_F(GlTest, PartsAtFullRateAreTheSameButForTheirBytes) {
-  Bench plain(richStill(), resized(1.0), kSize, machine());
+  Bench plain(richStill(), resized(1.0), kSize, device());
   (void)plain.draw();
   for (const char* what : {"shadow", "ao", "noise", "shadow,ao,noise"}) {
-    Bench bench(richStill(), resized(1.0, what), kSize, machine());
-    bench.renderer.setLevers({.resize = 1.0001F});  // parts go through their texture
+    Bench bench(richStill(), resized(1.0, what), kSize, device());
+    bench.renderer.setControls({.resize = 1.0001F});  // parts go through their texture
     (void)bench.draw();
-    bench.renderer.setLevers({.resize = 1.0F});
+    bench.renderer.setControls({.resize = 1.0F});
     (void)bench.draw();
     // Parts are bytes: half a step of 1/255 of the light at the most.
     EXPECT_LT(rootMeanSquare(radiance(plain), radiance(bench)), 2e-3) << what;
   }
 }
 
-TEST_F(GlTest, RestartForgetsThatALeverAsked) {
+TEST_F(GlTest, RestartForgetsThatAControlAsked) {
   const passes::RenderSettings settings = resized(1.0, "shadow,ao,noise");
-  Bench plain(richStill(), settings, kSize, machine());
+  Bench plain(richStill(), settings, kSize, device());
   (void)plain.draw();
-  Bench bench(richStill(), settings, kSize, machine());
-  bench.renderer.setLevers({.resize = 2.0F});
+  Bench bench(richStill(), settings, kSize, device());
+  bench.renderer.setControls({.resize = 2.0F});
   (void)bench.draw();
   EXPECT_TRUE(bench.renderer.lod().wanted);
-  bench.renderer.setLevers({.resize = 1.0F});
+  bench.renderer.setControls({.resize = 1.0F});
   bench.renderer.restart();
   (void)bench.draw();
   EXPECT_FALSE(bench.renderer.lod().wanted);
   EXPECT_EQ(radiance(plain), radiance(bench)) << "no part went through its texture of bytes";
   // A quality control away from its default asks again.
-  bench.renderer.setLevers({.resize = 2.0F});
+  bench.renderer.setControls({.resize = 2.0F});
   bench.renderer.restart();
   EXPECT_EQ(bench.draw().resizeFactor, 2.0);
 }
@@ -320,7 +320,7 @@ TEST_F(GlTest, RatesAreWhatTheMirrorSays) {
       for (const double r : {1.0, 1.7}) {
         passes::RenderSettings settings = foveatedSettings(45.0);
         settings.lod.resize = r;
-        Bench bench(still(), settings, size, machine());
+        Bench bench(still(), settings, size, device());
         gaze::PointOfInterest point = gaze::exactPoint(gaze);
         point.radius = radius;
         const passes::FrameResult result = bench.renderer.render(bench.camera, point);
@@ -355,7 +355,7 @@ TEST_F(GlTest, RatesAreWhatTheMirrorSays) {
 
 TEST_F(GlTest, EverySampleOfATileIsShaded) {
   // Texels that no sample is for keep the marker.
-  Bench bench(still(), foveatedSettings(20.0), {200, 120}, machine());
+  Bench bench(still(), foveatedSettings(20.0), {200, 120}, device());
   (void)bench.draw();
   const std::uint32_t marker[4] = {7, 7, 7, 7};
   const gl::Texture& samples = bench.renderer.resources().texture(passes::kLodSamples);

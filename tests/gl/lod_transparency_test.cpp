@@ -26,7 +26,7 @@ passes::RenderSettings resizedSettings(const OitSettings& oit, double r) {
 }
 
 /// What differs from method to method in how it draws, and what combines with it.
-std::vector<OitSettings> allWays(const passes::Machine& machine) {
+std::vector<OitSettings> allWays(const passes::DeviceContext& device) {
   std::vector<OitSettings> all{
       {.method = "kb-fixed", .sync = "spinlock", .tail = Tail::Mean},
       {.method = "kb-fixed", .cull = passes::Cull::Occupancy},
@@ -38,7 +38,7 @@ std::vector<OitSettings> allWays(const passes::Machine& machine) {
       {.method = "kb-variable", .fill = true, .tail = Tail::Mean, .importance = Predictor::Error},
       learnedUtility(4.0)};
   for (const passes::Method& method : passes::methods()) {
-    if (method.id == "kb-stencil" && machine.capabilities.routableSamples.empty()) continue;
+    if (method.id == "kb-stencil" && device.capabilities.routableSamples.empty()) continue;
     all.push_back({.method = std::string(method.id)});
   }
   return all;
@@ -56,16 +56,16 @@ double psnrDb(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t
 
 TEST_F(GlTest, TransparencyAtFullRateIsTheSameBits) {
   const scene::Scene scene = tangle(120, 2);
-  for (const OitSettings& oit : allWays(machine())) {
+  for (const OitSettings& oit : allWays(device())) {
     if (passes::methodById(oit.method).isRacy()) continue;
     passes::RenderSettings settings = resizedSettings(oit, 1.0);
-    Bench resizable(scene, settings, {70, 45}, machine());
+    Bench resizable(scene, settings, {70, 45}, device());
     settings.lod.transparency = false;
-    Bench plain(scene, settings, {70, 45}, machine());
-    resizable.renderer.setLevers({.resize = 2.0F});
+    Bench plain(scene, settings, {70, 45}, device());
+    resizable.renderer.setControls({.resize = 2.0F});
     resizable.draw();
     EXPECT_TRUE(resizable.renderer.plan().reduced());
-    resizable.renderer.setLevers({.resize = 1.0F});
+    resizable.renderer.setControls({.resize = 1.0F});
     for (int i = 0; i < 3; ++i) {
       const passes::FrameResult a = resizable.draw();
       const passes::FrameResult b = plain.draw();
@@ -78,14 +78,14 @@ TEST_F(GlTest, TransparencyAtFullRateIsTheSameBits) {
 
 TEST_F(GlTest, ResizedTransparencyWorksWithEveryMethod) {
   const scene::Scene scene = tangle(120, 2);
-  Bench reference(scene, linearSettings("ab-sbuffer"), {100, 70}, machine());
+  Bench reference(scene, linearSettings("ab-sbuffer"), {100, 70}, device());
   reference.draw();
   const std::vector<float> exact = reference.linear();
-  for (const OitSettings& oit : allWays(machine())) {
+  for (const OitSettings& oit : allWays(device())) {
     OitSettings ample = oit;
     ample.kAve = 8.0;
     ample.layers = 16;
-    Bench bench(scene, resizedSettings(ample, 3.0), {100, 70}, machine());
+    Bench bench(scene, resizedSettings(ample, 3.0), {100, 70}, device());
     passes::FrameResult result;
     for (int i = 0; i < 3; ++i) result = bench.draw();
     EXPECT_FALSE(result.exact) << describe(oit);
@@ -107,12 +107,12 @@ TEST_F(GlTest, ResizedTransparencyWorksWithEveryMethod) {
 
 TEST_F(GlTest, ExactMethodsAgreeAtOneRate) {
   const scene::Scene scene = tangle(120, 4);
-  Bench reference(scene, resizedSettings({.method = "ab-sbuffer"}, 2.5), {90, 61}, machine());
+  Bench reference(scene, resizedSettings({.method = "ab-sbuffer"}, 2.5), {90, 61}, device());
   reference.draw();
   const std::vector<float> expected = reference.linear();
   constexpr int kDeeperThanAny = 40;
   for (const OitSettings& oit : completeCases(kDeeperThanAny)) {
-    Bench bench(scene, resizedSettings(oit, 2.5), {90, 61}, machine());
+    Bench bench(scene, resizedSettings(oit, 2.5), {90, 61}, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->lost, 0U) << describe(oit);
     // Two roundings to half floats.
@@ -126,7 +126,7 @@ TEST_F(GlTest, ResizedTransparencyLiesWhereItBelongs) {
   scene::Scene scene = emptyScene();
   addRectangle(scene, 4.0F, {-2.1F, -1.3F}, {0.4F, 0.9F}, {1.0F, 1.0F, 1.0F, 0.5F}, false);
   const auto centroid = [&](double r) {
-    Bench bench(scene, resizedSettings({.method = "ab-sbuffer"}, r), size, machine());
+    Bench bench(scene, resizedSettings({.method = "ab-sbuffer"}, r), size, device());
     bench.draw();
     const std::vector<float> image = bench.linear();
     glm::dvec3 sum(0.0);
@@ -157,7 +157,7 @@ TEST_F(GlTest, NoHaloStandsAtOpaqueEdgesBeforeOrBehindGlass) {
     addRectangle(scene, 3.0F, {-0.53F, -0.47F}, {0.61F, 0.71F}, {0.9F, 0.1F, 0.1F, 1.0F}, true);
     addRectangle(scene, paneInFront ? 2.0F : 5.0F, {-20, -20}, {20, 20}, {0.2F, 0.9F, 0.3F, 0.6F},
                  false);
-    Bench exact(scene, linearSettings("ab-sbuffer"), size, machine());
+    Bench exact(scene, linearSettings("ab-sbuffer"), size, device());
     exact.draw();
     const std::vector<float> reference = exact.linear();
     const auto at = [&](int x, int y) {
@@ -165,7 +165,7 @@ TEST_F(GlTest, NoHaloStandsAtOpaqueEdgesBeforeOrBehindGlass) {
       return glm::vec3(reference[i], reference[i + 1], reference[i + 2]);
     };
     for (const double r : {1.5, 2.0, 4.0}) {
-      Bench bench(scene, resizedSettings({.method = "kb-variable"}, r), size, machine());
+      Bench bench(scene, resizedSettings({.method = "kb-variable"}, r), size, device());
       bench.draw();
       const std::vector<float> image = bench.linear();
       float atEdges = 0.0F;
@@ -200,9 +200,9 @@ TEST_F(GlTest, ResizedTransparencyIsCloseToTheReference) {
   const scene::Scene scene = scene::makeBottles(1);
   passes::RenderSettings settings = resizedSettings({.method = "ab-sbuffer"}, 2.0);
   settings.tonemap.curve = "neutral";
-  Bench resized(scene, settings, {160, 160}, machine());
+  Bench resized(scene, settings, {160, 160}, device());
   settings.lod = {};
-  Bench exact(scene, settings, {160, 160}, machine());
+  Bench exact(scene, settings, {160, 160}, device());
   const passes::FrameResult coarse = resized.draw();
   const passes::FrameResult full = exact.draw();
   EXPECT_FALSE(coarse.exact);
@@ -218,11 +218,11 @@ TEST_F(GlTest, ResizedTransparencyIsCloseToTheReference) {
 
 TEST_F(GlTest, AChangeOfRateAllocatesNothingAndKeepsTheBudget) {
   const scene::Scene scene = tangle(100, 1);
-  for (const OitSettings& oit : allWays(machine())) {
-    Bench bench(scene, resizedSettings(oit, 2.0), {64, 48}, machine());
+  for (const OitSettings& oit : allWays(device())) {
+    Bench bench(scene, resizedSettings(oit, 2.0), {64, 48}, device());
     const auto round = [&] {
       for (const float r : {1.0F, 1.5F, 2.0F, 3.0F, 8.0F}) {
-        bench.renderer.setLevers({.resize = r});
+        bench.renderer.setControls({.resize = r});
         bench.draw();
       }
     };
@@ -239,11 +239,11 @@ TEST_F(GlTest, TheBudgetIsSpreadOverFewerTexels) {
   const scene::Scene scene = sheets({{.distance = 2.0F}, {.distance = 3.0F}, {.distance = 4.0F}});
   for (const OitSettings& oit : {OitSettings{.method = "kb-fixed", .kAve = 1.0},
                                  OitSettings{.method = "kb-variable", .kAve = 1.0, .fill = true}}) {
-    Bench bench(scene, resizedSettings(oit, 1.0), {64, 64}, machine());
+    Bench bench(scene, resizedSettings(oit, 1.0), {64, 64}, device());
     const passes::FrameResult full = bench.draw();
     EXPECT_EQ(full.fragments->generated, 3U * 64 * 64);
     EXPECT_EQ(full.fragments->stored, 64U * 64);
-    bench.renderer.setLevers({.resize = 2.0F});
+    bench.renderer.setControls({.resize = 2.0F});
     const passes::FrameResult resized = bench.draw();
     EXPECT_EQ(resized.fragments->generated, 3U * 32 * 32);
     EXPECT_EQ(resized.fragments->stored, 3U * 32 * 32)
@@ -253,9 +253,9 @@ TEST_F(GlTest, TheBudgetIsSpreadOverFewerTexels) {
 
 TEST_F(GlTest, HistoryOfTransparencyIsOfOneSize) {
   const scene::Scene scene = tangle(60, 3);
-  Bench bench(scene, resizedSettings({.method = "kb-variable"}, 2.0), {64, 64}, machine());
+  Bench bench(scene, resizedSettings({.method = "kb-variable"}, 2.0), {64, 64}, device());
   const auto history = [&](float r) {
-    bench.renderer.setLevers({.resize = r});
+    bench.renderer.setControls({.resize = r});
     bench.draw();
     return bench.renderer.plan().historyValid;
   };
@@ -274,7 +274,7 @@ TEST_F(GlTest, HistoryOfTransparencyIsOfOneSize) {
 
 TEST_F(GlTest, NothingIsResizedWithoutTransparentSurfaces) {
   const scene::Scene scene = sheets({{.distance = 2.0F, .opaque = true}});
-  Bench bench(scene, resizedSettings({.method = "kb-variable"}, 2.0), {32, 32}, machine());
+  Bench bench(scene, resizedSettings({.method = "kb-variable"}, 2.0), {32, 32}, device());
   const passes::FrameResult result = bench.draw();
   EXPECT_TRUE(result.exact);
   for (const frame::PassTime& pass : result.passes) {

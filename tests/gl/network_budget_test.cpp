@@ -40,7 +40,7 @@ TEST_F(Networks, OfAnyWeightsKeepTheBudget) {
         for (const double kAve : {0.3, 1.5, 4.0, 30.0}) {
           oit.kAve = kAve;
           for (const int tile : {1, 2, 4}) {
-            Bench bench(scene, tiled(oit, tile), {45, 38}, machine());
+            Bench bench(scene, tiled(oit, tile), {45, 38}, device());
             expectBudgetHolds(bench, describe(oit) + " tile " + std::to_string(tile));
             ++frames;
           }
@@ -69,7 +69,7 @@ TEST_F(Networks, ThatSayNothingOrTooMuchKeepTheBudget) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const OitSettings oit = with(way, all[i]);
       for (const int tile : {1, 2}) {
-        Bench bench(scene, tiled(oit, tile), {45, 38}, machine());
+        Bench bench(scene, tiled(oit, tile), {45, 38}, device());
         expectBudgetHolds(bench, describe(oit) + " network " + std::to_string(i));
       }
     }
@@ -81,8 +81,8 @@ TEST_F(Networks, GiveTheSameFrameAgain) {
   for (const OitSettings& way : ways(2.0)) {
     for (const int tile : {1, 2, 4}) {
       const OitSettings oit = random(way, 5);
-      Bench a(scene, tiled(oit, tile), {50, 40}, machine());
-      Bench b(scene, tiled(oit, tile), {50, 40}, machine());
+      Bench a(scene, tiled(oit, tile), {50, 40}, device());
+      Bench b(scene, tiled(oit, tile), {50, 40}, device());
       a.draw();
       b.draw();
       const std::vector<float> first = a.linear();
@@ -101,7 +101,7 @@ TEST_F(Networks, GiveAlikePixelsAlikeSlotsWhateverTheTile) {
     std::uint32_t least = 1000;
     std::uint32_t most = 0;
     for (const int tile : {1, 2, 4}) {
-      Bench bench(scene, tiled(oit, tile), {45, 38}, machine());
+      Bench bench(scene, tiled(oit, tile), {45, 38}, device());
       bench.draw();
       for (const Given& g : givenBy(bench)) {
         ASSERT_EQ(g.count, 8U);
@@ -151,7 +151,7 @@ TEST_F(Networks, LeaveSmoothHalvesWithoutSpeckle) {
       for (const std::uint32_t seed : {1U, 2U, 3U}) {
         const OitSettings oit = random(way, seed);
         for (const int tile : {1, 4}) {
-          Bench bench(scene, tiled(oit, tile), size, machine());
+          Bench bench(scene, tiled(oit, tile), size, device());
           bench.draw();
           // Between tiles importance fades over one of them, so that one and a half are left out.
           expectEvenHalves(bench, size, tile == 1 ? 0 : 6, describe(oit));

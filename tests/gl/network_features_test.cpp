@@ -80,14 +80,15 @@ passes::RenderSettings readBack(passes::RenderSettings settings) {
 /// One view, drawn by all fragments, by none, and for a network.
 class View {
  public:
-  View(const scene::Scene& scene, const OitSettings& oit, glm::ivec2 size, passes::Machine& machine)
-      : exact_(scene, linearSettings("ab-sbuffer"), size, machine),
-        opaque_(scene, linearSettings("ab-sbuffer"), size, machine),
-        seen_(scene, readBack(settingsOf(oit)), size, machine) {
+  View(const scene::Scene& scene, const OitSettings& oit, glm::ivec2 size,
+       passes::DeviceContext& device)
+      : exact_(scene, linearSettings("ab-sbuffer"), size, device),
+        opaque_(scene, linearSettings("ab-sbuffer"), size, device),
+        seen_(scene, readBack(settingsOf(oit)), size, device) {
     opaque_.renderer.showTransparency(false);
     for (Bench* bench : {&exact_, &opaque_, &seen_}) bench->draw();
     frame = frameOf(exact_, opaque_);
-    features = passes::readFeatures(seen_.renderer, opaque_.renderer, machine.programs);
+    features = passes::readFeatures(seen_.renderer, opaque_.renderer, device.programs);
   }
   [[nodiscard]] std::uint64_t slots() const { return seen_.renderer.plan().slots; }
 
@@ -138,8 +139,8 @@ TEST_F(Features, AreTheSameFromVerticesAsFromFragments) {
   const glm::ivec2 size(64, 48);
   for (const OitSettings& way :
        {OitSettings{.method = "kb-learned", .kAve = 3.0}, learnedUtility(3.0)}) {
-    const View plain(turnedModels(false), way, size, machine());
-    const View textured(turnedModels(true), way, size, machine());
+    const View plain(turnedModels(false), way, size, device());
+    const View textured(turnedModels(true), way, size, device());
     ASSERT_EQ(plain.features.size(), textured.features.size());
     const std::size_t features = plain.features.size() / 64 / 48;
     std::size_t covered = 0;
@@ -156,7 +157,7 @@ TEST_F(Features, AreTheSameFromVerticesAsFromFragments) {
 
 TEST_F(Features, OfTheThesisAsByHand) {
   const View view(sheets({{5.0F, {0.0F, 0.5F, 1.0F, 0.25F}}, {2.0F, {1.0F, 0.5F, 0.25F, 0.5F}}}),
-                  {.method = "kb-learned", .kAve = 3.0}, {8, 6}, machine());
+                  {.method = "kb-learned", .kAve = 3.0}, {8, 6}, device());
   ASSERT_EQ(view.features.size(), 8U * 6U * THESIS_FEATURES);
   EXPECT_DOUBLE_EQ(view.frame.farPlane, 50.0);
   // Every pixel has the two; 3 of 2 slots; 2 and 5 of 50 m.
@@ -169,7 +170,7 @@ TEST_F(Features, OfTheThesisAsByHand) {
 
 TEST_F(Features, OfTheThesisEqualTheMirror) {
   for (const scene::Scene& scene : scenes()) {
-    const View view(scene, {.method = "kb-learned", .kAve = 2.0}, {64, 64}, machine());
+    const View view(scene, {.method = "kb-learned", .kAve = 2.0}, {64, 64}, device());
     const auto mirror = thesisFeatures(view.frame, view.slots());
     ASSERT_EQ(view.features.size(), 12 * mirror.size());
     std::size_t covered = 0;
@@ -247,7 +248,7 @@ TEST_F(Features, OfMaculaAsByHand) {
   const View view(sheets({{2.0F, {1.0F, 0.0F, 0.0F, 0.5F}},
                           {6.0F, {0.0F, 1.0F, 0.0F, 0.5F}},
                           {9.0F, {1.0F, 1.0F, 1.0F, 1.0F}, 0.0F, 0.0F, true}}),
-                  learnedUtility(2.0), {8, 6}, machine());
+                  learnedUtility(2.0), {8, 6}, device());
   const auto x = plainOf(view.features.data());
   EXPECT_NEAR(x[0], 2.0, 1e-6);
   // Exact (3/4, 1/2, 1/4); as one layer 3/4 (1/2, 1/2, 0) + 1/4 = (0.625, 0.625, 0.25); their
@@ -274,7 +275,7 @@ TEST_F(Features, OfMaculaEqualTheMirrorWhereColoursAreKnown) {
     list.push_back({2.0F + 0.7F * step, colors.back(), i % 2 == 0 ? 0.3F : -0.2F});
   }
   list.push_back({16.0F, {0.5F, 0.6F, 0.7F, 1.0F}, 0.0F, 0.0F, true});
-  const View view(sheets(list), learnedUtility(2.0), {64, 48}, machine());
+  const View view(sheets(list), learnedUtility(2.0), {64, 48}, device());
   // Slices hold steps of 1/1024, and rounding goes the other way where a value lies between two:
   // for the thinnest sheet, of optical depth 0.23, 0.4 % of its colour.
   constexpr double kTolerance = 5e-3;
@@ -287,7 +288,7 @@ TEST_F(Features, OfMaculaEqualTheMirrorWhereColoursAreKnown) {
 
 TEST_F(Features, OfMaculaEqualTheMirror) {
   for (const scene::Scene& scene : scenes()) {
-    const View view(scene, learnedUtility(2.0), {64, 64}, machine());
+    const View view(scene, learnedUtility(2.0), {64, 64}, device());
     // The mirror's colours are half floats here, so that sums are rounded to another step of
     // 1/1024: of a slice of optical depth 0.05, 2 % of its colour.
     constexpr double kTolerance = 0.02;
@@ -303,14 +304,14 @@ TEST_F(Features, AreThoseOfPixelsWhateverTheTile) {
   const scene::Scene scene = unlit(tangle(240, 5));
   for (const OitSettings& oit : {OitSettings{.method = "kb-learned"}, learnedUtility(4.0)}) {
     passes::RenderSettings settings = readBack(settingsOf(oit));
-    Bench one(scene, settings, {47, 33}, machine());
+    Bench one(scene, settings, {47, 33}, device());
     settings.importance.networkTile = 4;
-    Bench four(scene, settings, {47, 33}, machine());
-    Bench opaque(scene, linearSettings("ab-sbuffer"), {47, 33}, machine());
+    Bench four(scene, settings, {47, 33}, device());
+    Bench opaque(scene, linearSettings("ab-sbuffer"), {47, 33}, device());
     opaque.renderer.showTransparency(false);
     for (Bench* bench : {&one, &four, &opaque}) bench->draw();
-    EXPECT_EQ(passes::readFeatures(one.renderer, opaque.renderer, machine().programs),
-              passes::readFeatures(four.renderer, opaque.renderer, machine().programs));
+    EXPECT_EQ(passes::readFeatures(one.renderer, opaque.renderer, device().programs),
+              passes::readFeatures(four.renderer, opaque.renderer, device().programs));
   }
 }
 
@@ -319,15 +320,15 @@ TEST_F(Features, OfOtherFramesAreRefused) {
   passes::RenderSettings atHalfRate = settingsOf({.method = "kb-learned"});
   atHalfRate.lod.resize = 2.0;
   atHalfRate.lod.transparency = true;
-  Bench opaque(scene, linearSettings("ab-sbuffer"), {32, 32}, machine());
-  Bench small(scene, linearSettings("ab-sbuffer"), {16, 32}, machine());
-  Bench plain(scene, linearSettings("kb-variable"), {32, 32}, machine());
-  Bench resized(scene, atHalfRate, {32, 32}, machine());
-  Bench good(scene, settingsOf({.method = "kb-learned"}), {32, 32}, machine());
-  Bench shared(scene, settingsOf(learnedUtility(2.0)), {32, 32}, machine());
+  Bench opaque(scene, linearSettings("ab-sbuffer"), {32, 32}, device());
+  Bench small(scene, linearSettings("ab-sbuffer"), {16, 32}, device());
+  Bench plain(scene, linearSettings("kb-variable"), {32, 32}, device());
+  Bench resized(scene, atHalfRate, {32, 32}, device());
+  Bench good(scene, settingsOf({.method = "kb-learned"}), {32, 32}, device());
+  Bench shared(scene, settingsOf(learnedUtility(2.0)), {32, 32}, device());
   for (Bench* bench : {&opaque, &small, &plain, &resized, &good, &shared}) bench->draw();
   const auto read = [&](Bench& bench, const Bench& behind) {
-    static_cast<void>(passes::readFeatures(bench.renderer, behind.renderer, machine().programs));
+    static_cast<void>(passes::readFeatures(bench.renderer, behind.renderer, device().programs));
   };
   EXPECT_THROW(read(plain, opaque), std::invalid_argument);
   EXPECT_THROW(read(resized, opaque), std::invalid_argument);

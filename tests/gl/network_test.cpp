@@ -69,7 +69,7 @@ TEST_F(NetworkOnGpu, SaysWhatItSaysOnTheCpu) {
     // No multiple of a work-group.
     const std::vector<float> features = randomFeatures(network, 300, 5);
     const std::vector<float> there =
-        passes::evaluateOnGpu(network, shapes[i].model, features, machine().programs);
+        passes::evaluateOnGpu(network, shapes[i].model, features, device().programs);
     const std::vector<float> here = evaluateAll(network, features);
     ASSERT_EQ(there.size(), 300U * network.outputs.size());
     EXPECT_LT(largestRelative(there, here), 1e-5) << "network " << i;
@@ -84,7 +84,7 @@ TEST_F(NetworkOnGpu, SaysNothingInfiniteOfFarFeatures) {
   std::vector<float> features = randomFeatures(network, 64, 6);
   for (float& x : features) x *= 1e5F;  // the sigmoid is at its ends
   const std::vector<float> predicted =
-      passes::evaluateOnGpu(network, NetworkModel::Thesis, features, machine().programs);
+      passes::evaluateOnGpu(network, NetworkModel::Thesis, features, device().programs);
   EXPECT_LT(largestRelative(predicted, evaluateAll(network, features)), 1e-5);
   EXPECT_THAT(predicted, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
 }
@@ -94,7 +94,7 @@ TEST_F(NetworkOnGpu, TakesAMeanOfMinusZero) {
   network.mean[0] = -0.0F;
   const std::vector<float> features = randomFeatures(network, 8, 6);
   EXPECT_LT(largestRelative(
-                passes::evaluateOnGpu(network, NetworkModel::Thesis, features, machine().programs),
+                passes::evaluateOnGpu(network, NetworkModel::Thesis, features, device().programs),
                 evaluateAll(network, features)),
             1e-5);
 }
@@ -126,7 +126,7 @@ TEST_P(Probes, AreAnsweredAsByTheProgramThatTrained) {
   const std::vector<float> expected = network::valuesOf(container.tensors.at("outputs"));
   const double onCpu = largestRelative(evaluateAll(network, features), expected);
   const double onGpu = largestRelative(
-      passes::evaluateOnGpu(network, GetParam(), features, machine().programs), expected);
+      passes::evaluateOnGpu(network, GetParam(), features, device().programs), expected);
   EXPECT_LT(onCpu, 1e-4) << "the probes are of other weights: write both again";
   EXPECT_LT(onGpu, 1e-4);
   note("largest difference on the CPU", onCpu);

@@ -55,7 +55,7 @@ TEST_F(NetworkTiles, SpeckleNoMoreWhereTheySpeakForTiles) {
       for (const std::uint32_t weights : {1U, 2U, 3U}) {
         const OitSettings oit = random(way, weights);
         for (const int tile : {1, 4}) {
-          Bench bench(scene, tiled(oit, tile), size, machine());
+          Bench bench(scene, tiled(oit, tile), size, device());
           bench.draw();
           const double found = speckleOf(bench, size);
           note("medley-" + std::to_string(seed) + " tile " + std::to_string(tile), found);
@@ -76,7 +76,7 @@ TEST_F(NetworkTiles, SpeckleNoMoreByMaculasOwnWeights) {
   for (const std::uint32_t seed : {0U, 1U, 3U, 5U}) {
     const scene::Scene scene = unlit(scene::makeMedley(seed));
     for (const int tile : {1, 4}) {
-      Bench bench(scene, tiled(learnedUtility(2.0), tile), size, machine());
+      Bench bench(scene, tiled(learnedUtility(2.0), tile), size, device());
       bench.draw();
       const double found = speckleOf(bench, size);
       note("medley-" + std::to_string(seed) + " tile " + std::to_string(tile), found);
@@ -99,12 +99,12 @@ TEST_F(NetworkTiles, AreSpokenForByTheirDeepestPixel) {
   const glm::ivec2 size(45, 38);  // no multiple of a tile
   for (const OitSettings& way : ways(3.0)) {
     const OitSettings oit = random(way, 5);
-    Bench single(scene, tiled(oit, 1), size, machine());
+    Bench single(scene, tiled(oit, 1), size, device());
     single.draw();
     const auto pixels = predictedBy(single);
     const auto counts = single.floats(passes::kFragmentCount, 1);
     for (const int tile : {2, 4}) {
-      Bench bench(scene, tiled(oit, tile), size, machine());
+      Bench bench(scene, tiled(oit, tile), size, device());
       bench.draw();
       const auto predicted = predictedBy(bench);
       const glm::ivec2 tiles = (size + tile - 1) / tile;
@@ -139,7 +139,7 @@ TEST_F(NetworkTiles, AreReadBetweenTilesAsTheMirrorSays) {
   const scene::Scene scene = unlit(tangle(60, 3));
   const glm::ivec2 size(45, 38);  // no multiple of a tile
   for (const int tile : {1, 2, 4}) {
-    Bench bench(scene, tiled(random({.method = "kb-learned"}, 3), tile), size, machine());
+    Bench bench(scene, tiled(random({.method = "kb-learned"}, 3), tile), size, device());
     bench.draw();
     const glm::ivec2 tiles = (size + tile - 1) / tile;
     const auto words = bench.words(passes::kNetworkOutput, 4);
@@ -178,7 +178,7 @@ TEST_F(NetworkTiles, ShowTheirImportanceAsAHeatMap) {
   passes::RenderSettings settings = tiled(random({.method = "kb-learned"}, 4), 2);
   settings.heatmap.map = "importance";
   const scene::Scene scene = unlit(tangle(60, 3));
-  Bench bench(scene, settings, {32, 24}, machine());
+  Bench bench(scene, settings, {32, 24}, device());
   bench.draw();
   const auto importance = bench.words(passes::kImportance, 1);
   const auto factors = bench.floats(passes::kImportanceFactors, 4);
@@ -196,12 +196,12 @@ TEST_F(NetworkTiles, ForgetTilesOfFramesOfAnotherRate) {
       passes::RenderSettings settings = tiled(oit, tile);
       settings.lod.transparency = true;
       // Of 32 x 24 texels: the last ones lie beyond the middle of the last tile.
-      Bench used(scene, settings, {64, 48}, machine());
+      Bench used(scene, settings, {64, 48}, device());
       used.draw();  // at full rate
-      used.renderer.setLevers({.resize = 2.0F});
+      used.renderer.setControls({.resize = 2.0F});
       used.draw();
-      Bench fresh(scene, settings, {64, 48}, machine());
-      fresh.renderer.setLevers({.resize = 2.0F});
+      Bench fresh(scene, settings, {64, 48}, device());
+      fresh.renderer.setControls({.resize = 2.0F});
       fresh.draw();
       EXPECT_TRUE(fresh.renderer.plan().reduced());
       const std::string what = describe(oit) + " tile " + std::to_string(tile);

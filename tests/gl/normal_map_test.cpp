@@ -87,8 +87,8 @@ scene::Scene quad(const scene::Image& normals, const scene::Light& light, Look l
 }
 
 std::vector<float> inside(const scene::Scene& scene, const passes::RenderSettings& settings,
-                          passes::Machine& machine) {
-  Bench bench(scene, settings, kSize, machine);
+                          passes::DeviceContext& device) {
+  Bench bench(scene, settings, kSize, device);
   bench.draw();
   const std::vector<float> rgb = bench.linear();
   std::vector<float> found;
@@ -123,7 +123,7 @@ TEST_F(NormalMap, LeavesAFlatQuadOneValue) {
     for (const glm::vec3& sun : {kDiagonal, kAcross, kGrazing}) {
       for (const float degrees : {-30.0F, 0.0F, 30.0F, 45.0F}) {
         const auto values = inside(quad(turned(degrees), sunFrom(sun), look),
-                                   linearSettings("ab-sbuffer"), machine());
+                                   linearSettings("ab-sbuffer"), device());
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
         // The reflection of a rough surface changes by less over the view.
         EXPECT_LT(*most - *least, 5e-3F) << static_cast<int>(look) << " sun from " << sun.x << ','
@@ -143,8 +143,8 @@ TEST_F(NormalMap, IsAsBrightUnderTheSunAsUnderAFarLampWithoutShadow) {
     for (const glm::vec3& place : {kDiagonal, kAcross}) {
       for (passes::RenderSettings* settings : {&plain, &parts, &foveated}) {
         // Resized light is compared with light resized likewise.
-        const auto sun = inside(quad(bumps(), sunFrom(place), look), *settings, machine());
-        const auto lamp = inside(quad(bumps(), farLampFrom(place), look), *settings, machine());
+        const auto sun = inside(quad(bumps(), sunFrom(place), look), *settings, device());
+        const auto lamp = inside(quad(bumps(), farLampFrom(place), look), *settings, device());
         float worst = 0.0F;
         for (std::size_t i = 0; i < sun.size(); ++i) {
           worst = std::max(worst, std::abs(sun[i] - lamp[i]) / std::max(lamp[i], 0.02F));
@@ -157,7 +157,7 @@ TEST_F(NormalMap, IsAsBrightUnderTheSunAsUnderAFarLampWithoutShadow) {
 
 TEST_F(NormalMap, CostsNoByte) {
   passes::RenderSettings settings = linearSettings("ab-sbuffer");
-  Bench bench(quad(bumps(), sunFrom(kAcross), Look::Opaque), settings, kSize, machine());
+  Bench bench(quad(bumps(), sunFrom(kAcross), Look::Opaque), settings, kSize, device());
   bench.draw();
   EXPECT_EQ(bench.renderer.bytes().gbuffer, 20U * kSize.x * kSize.y);
 }

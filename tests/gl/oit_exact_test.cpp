@@ -25,7 +25,7 @@ void expectComposite(Bench& bench, int n) {
 
 TEST_P(LayersN, SBufferIsExact) {
   const int n = GetParam();
-  Bench bench(scene::makeLayers(n, 1), linearSettings("ab-sbuffer"), kSmall, machine());
+  Bench bench(scene::makeLayers(n, 1), linearSettings("ab-sbuffer"), kSmall, device());
   const passes::FrameResult result = bench.draw();
   EXPECT_TRUE(result.exact);
   EXPECT_EQ(result.fragments->generated, static_cast<std::uint64_t>(n) * kSmall.x * kSmall.y);
@@ -37,7 +37,7 @@ TEST_P(LayersN, VariableIsExactWhereEverythingFits) {
   const int n = GetParam();
   // Importance is uneven: four times the layers give each pixel at least all of its own.
   Bench bench(scene::makeLayers(n, 1), linearSettings("kb-variable", 4.0 * n + 4.0), kSmall,
-              machine());
+              device());
   const passes::FrameResult result = bench.draw();
   EXPECT_TRUE(result.exact);
   EXPECT_EQ(result.fragments->lost, 0U);
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Depths, LayersN,
 TEST_F(GlTest, DeepPixelsAreCountedAndSortedBeyondEveryLocalArray) {
   constexpr int kDeep = 2300;  // more than 2,048, where 16-bit floats stop counting
   constexpr glm::ivec2 kTiny{6, 5};
-  Bench bench(scene::makeLayers(kDeep, 1), linearSettings("ab-sbuffer"), kTiny, machine());
+  Bench bench(scene::makeLayers(kDeep, 1), linearSettings("ab-sbuffer"), kTiny, device());
   const passes::FrameResult result = bench.draw();
   EXPECT_EQ(result.fragments->generated, std::uint64_t{kDeep} * kTiny.x * kTiny.y);
   EXPECT_EQ(result.deepest, static_cast<std::uint32_t>(kDeep));
@@ -59,7 +59,7 @@ TEST_F(GlTest, DeepPixelsAreCountedAndSortedBeyondEveryLocalArray) {
 }
 
 TEST_F(GlTest, PoolGrowsAndTheFrameIsDrawnAgain) {
-  Bench bench(scene::makeLayers(32, 1), linearSettings("ab-sbuffer"), kSmall, machine());
+  Bench bench(scene::makeLayers(32, 1), linearSettings("ab-sbuffer"), kSmall, device());
   EXPECT_EQ(bench.draw().recaptures, 1);
   const passes::FrameResult second = bench.draw();
   EXPECT_EQ(second.recaptures, 0);
@@ -78,8 +78,8 @@ TEST_P(DrawOrder, ReversingDrawsAndTrianglesChangesNoBit) {
   const scene::Scene scene = tangle(300, 7);
   passes::RenderSettings settings = linearSettings(GetParam().method, GetParam().kAve);
   settings.oit.sync = GetParam().sync;
-  Bench forward(scene, settings, {96, 96}, machine());
-  Bench backward(scene, settings, {96, 96}, machine(), {.reversed = true});
+  Bench forward(scene, settings, {96, 96}, device());
+  Bench backward(scene, settings, {96, 96}, device(), {.reversed = true});
   // Three frames, so that history takes part.
   for (int i = 0; i < 3; ++i) {
     const passes::FrameResult a = forward.draw();
@@ -100,21 +100,21 @@ INSTANTIATE_TEST_SUITE_P(Methods, DrawOrder,
 
 TEST_F(GlTest, BlendDependsOnTheOrderSoTheFlipTestCanFail) {
   const scene::Scene scene = tangle(300, 7);
-  Bench forward(scene, linearSettings("blend"), {96, 96}, machine());
-  Bench backward(scene, linearSettings("blend"), {96, 96}, machine(), {.reversed = true});
+  Bench forward(scene, linearSettings("blend"), {96, 96}, device());
+  Bench backward(scene, linearSettings("blend"), {96, 96}, device(), {.reversed = true});
   forward.draw();
   backward.draw();
   EXPECT_NE(forward.linear(), backward.linear());
 }
 
 TEST_F(GlTest, SpinlockAndOrderedGiveTheSameImage) {
-  if (!machine().ordered.passed) GTEST_SKIP() << "sync=ordered: " << machine().ordered.reason;
+  if (!device().ordered.passed) GTEST_SKIP() << "sync=ordered: " << device().ordered.reason;
   const scene::Scene scene = tangle(300, 3);
   passes::RenderSettings settings = linearSettings("kb-variable", 2.0);
   settings.oit.sync = "ordered";
-  Bench ordered(scene, settings, {96, 96}, machine());
+  Bench ordered(scene, settings, {96, 96}, device());
   settings.oit.sync = "spinlock";
-  Bench locked(scene, settings, {96, 96}, machine());
+  Bench locked(scene, settings, {96, 96}, device());
   ordered.draw();
   const passes::FrameResult result = locked.draw();
   EXPECT_EQ(result.lockFailures, 0U);
@@ -145,7 +145,7 @@ TEST_F(GlTest, OpaqueDepthHidesEveryFragmentBehindIt) {
   scene.instances.push_back({static_cast<std::uint32_t>(scene.primitives.size()), glm::mat4(1)});
   scene.primitives.push_back(wall);
   for (const char* method : {"ab-sbuffer", "kb-variable"}) {
-    Bench bench(scene, linearSettings(method, 64), kSmall, machine());
+    Bench bench(scene, linearSettings(method, 64), kSmall, device());
     // Layers at 1, 1.6, 2.2, ... 10 m: layers 1 to 8 lie before 5.5 m.
     EXPECT_EQ(bench.draw().fragments->generated, 8ULL * kSmall.x * kSmall.y) << method;
   }
@@ -172,8 +172,8 @@ class Budget : public GlTest, public testing::WithParamInterface<double> {};
 TEST_P(Budget, IsNeverExceededAndTheNearestAreKept) {
   const scene::Scene scene = tangle(400, 11);
   constexpr glm::ivec2 kSize{80, 60};
-  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
-  Bench variable(scene, linearSettings("kb-variable", GetParam()), kSize, machine());
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, device());
+  Bench variable(scene, linearSettings("kb-variable", GetParam()), kSize, device());
   for (int i = 0; i < 2; ++i) {
     exact.draw();
     const passes::FrameResult result = variable.draw();
@@ -227,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(Averages, Budget, testing::Values(0.1, 0.25, 0.5, 1.0, 
 TEST_F(GlTest, BudgetInBytesIsMet) {
   passes::RenderSettings settings = linearSettings("kb-variable");
   settings.oit.memoryMiB = 0.1;
-  Bench bench(tangle(200, 5), settings, {64, 64}, machine());
+  Bench bench(tangle(200, 5), settings, {64, 64}, device());
   bench.draw();
   EXPECT_EQ(*bench.renderer.plan().budgetBytes, 104857U);
   EXPECT_EQ(bench.renderer.bytes().oit, 104857U / 16 * 16);

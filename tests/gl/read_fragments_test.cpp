@@ -15,9 +15,9 @@ constexpr float kHalfStep = 2e-3F;
 
 /// One scene, drawn with all fragments and without any.
 struct Pair {
-  Pair(const scene::Scene& scene, glm::ivec2 size, passes::Machine& machine,
+  Pair(const scene::Scene& scene, glm::ivec2 size, passes::DeviceContext& device,
        const passes::RenderSettings& settings = linearSettings("ab-sbuffer"))
-      : exact(scene, settings, size, machine), opaque(scene, settings, size, machine) {
+      : exact(scene, settings, size, device), opaque(scene, settings, size, device) {
     opaque.renderer.showTransparency(false);
     result = exact.draw();
     opaqueResult = opaque.draw();
@@ -44,7 +44,7 @@ void expectShown(const measure::FragmentImage& image, const std::vector<float>& 
 }
 
 TEST_F(GlTest, AllFragmentsReadBackMakeTheFrame) {
-  const Pair pair(tangle(300, 7), {96, 80}, machine());
+  const Pair pair(tangle(300, 7), {96, 80}, device());
   const measure::FragmentImage image = pair.read();
   ASSERT_NO_THROW(measure::requireConsistent(image));
   EXPECT_EQ(image.width, 96);
@@ -56,7 +56,7 @@ TEST_F(GlTest, AllFragmentsReadBackMakeTheFrame) {
 }
 
 TEST_F(GlTest, WhatIsBehindIsTheFrameWithoutTransparency) {
-  const Pair pair(tangle(300, 7), {96, 80}, machine());
+  const Pair pair(tangle(300, 7), {96, 80}, device());
   EXPECT_EQ(pair.opaqueResult.fragments->generated, 0U);
   const measure::FragmentImage image = pair.read();
   const std::vector<float> shown = pair.opaque.linear();
@@ -71,7 +71,7 @@ TEST_F(GlTest, WhatIsBehindIsTheFrameWithoutTransparency) {
 
 TEST_F(GlTest, FragmentsOfDeepPixelsAreSortedToo) {
   constexpr int kLayers = 100;  // more than the resolve's local arrays
-  const Pair pair(scene::makeLayers(kLayers, 1), {16, 12}, machine());
+  const Pair pair(scene::makeLayers(kLayers, 1), {16, 12}, device());
   const measure::FragmentImage image = pair.read();
   EXPECT_EQ(image.depth(0), static_cast<std::uint32_t>(kLayers));
   // Layer i from the front has alpha 1 / (N - i + 1).
@@ -84,7 +84,7 @@ TEST_F(GlTest, FragmentsOfDeepPixelsAreSortedToo) {
 TEST_F(GlTest, SamplesOfSupersampledFramesAreReadOneByOne) {
   passes::RenderSettings settings = linearSettings("ab-sbuffer");
   settings.tonemap.ssaa = 2;
-  const Pair pair(tangle(100, 3), {32, 24}, machine(), settings);
+  const Pair pair(tangle(100, 3), {32, 24}, device(), settings);
   const measure::FragmentImage image = pair.read();
   EXPECT_EQ(image.pixels(), 4U * 32U * 24U);
   EXPECT_EQ(image.fragments.size(), pair.result.fragments->generated);
@@ -92,8 +92,8 @@ TEST_F(GlTest, SamplesOfSupersampledFramesAreReadOneByOne) {
 
 TEST_F(GlTest, OtherFramesAreRefused) {
   const scene::Scene scene = tangle(50, 1);
-  Bench variable(scene, linearSettings("kb-variable"), {32, 32}, machine());
-  Bench opaque(scene, linearSettings("ab-sbuffer"), {32, 32}, machine());
+  Bench variable(scene, linearSettings("kb-variable"), {32, 32}, device());
+  Bench opaque(scene, linearSettings("ab-sbuffer"), {32, 32}, device());
   opaque.renderer.showTransparency(false);
   variable.draw();
   opaque.draw();
@@ -105,7 +105,7 @@ TEST_F(GlTest, OtherFramesAreRefused) {
 }
 
 TEST_F(GlTest, TransparencyCanBeShownAgain) {
-  Bench bench(tangle(50, 1), linearSettings("ab-sbuffer"), {32, 32}, machine());
+  Bench bench(tangle(50, 1), linearSettings("ab-sbuffer"), {32, 32}, device());
   bench.draw();
   const std::vector<float> before = bench.linear();
   bench.renderer.showTransparency(false);

@@ -45,8 +45,8 @@ struct Scenes {
 /// A walk in which anything may happen between two frames.
 class Walk {
  public:
-  Walk(const Scenes& scenes, passes::Machine& machine, std::uint32_t seed)
-      : scenes_(scenes), renderer_(settings_.fields, machine), random_(seed) {
+  Walk(const Scenes& scenes, passes::DeviceContext& device, std::uint32_t seed)
+      : scenes_(scenes), renderer_(settings_.fields, device), random_(seed) {
     // Each frame's number then matters.
     settings_.registry.setText("importance.noisePerFrame", "on", "test");
     renderer_.setScene(scenes.at(0));
@@ -138,9 +138,10 @@ class Walk {
 };
 
 /// Draws recorded frames with a renderer of its own. @returns how many images differ
-int unlikeFrames(std::span<const Recorded> walk, const Scenes& scenes, passes::Machine& machine) {
+int unlikeFrames(std::span<const Recorded> walk, const Scenes& scenes,
+                 passes::DeviceContext& device) {
   Settings settings;
-  passes::FrameRenderer renderer(settings.fields, machine);
+  passes::FrameRenderer renderer(settings.fields, device);
   std::size_t scene = walk[0].scene;
   renderer.setScene(scenes.at(scene));
   int unlike = 0;
@@ -163,18 +164,18 @@ TEST_F(GlTest, TheSameStepsDrawTheSameBits) {
   const Scenes scenes;
   int refused = 0;
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
-    Walk walk(scenes, machine(), seed);
+    Walk walk(scenes, device(), seed);
     const std::vector<Recorded> frames = walk.run(100);
     if (HasFatalFailure()) return;
     refused += walk.refused();
     EXPECT_EQ(frames.back().after.frames, frames.size());
-    EXPECT_EQ(unlikeFrames(frames, scenes, machine()), 0) << "seed " << seed;
+    EXPECT_EQ(unlikeFrames(frames, scenes, device()), 0) << "seed " << seed;
     // From every restart on, nothing before it matters.
     for (std::size_t i = 1; i < frames.size(); ++i) {
       if (frames[i].after.restarts == frames[i].before.restarts) continue;
       const std::span rest =
           std::span(frames).subspan(i, std::min<std::size_t>(12, frames.size() - i));
-      EXPECT_EQ(unlikeFrames(rest, scenes, machine()), 0) << "seed " << seed << " from frame " << i;
+      EXPECT_EQ(unlikeFrames(rest, scenes, device()), 0) << "seed " << seed << " from frame " << i;
     }
   }
   EXPECT_GT(refused, 5) << "combinations that make no sense are part of it";

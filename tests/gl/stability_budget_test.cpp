@@ -27,7 +27,7 @@ TEST_F(Promise, SlotsStayWithinTheBudgetForEveryOption) {
       if (oit.sync != "spinlock") continue;  // per-pixel ordering changes no allocation
       const std::string what = describe(oit);
       const passes::RenderSettings settings = settingsOf(oit);
-      Bench bench(scene, settings, kSize, machine());
+      Bench bench(scene, settings, kSize, device());
       passes::FrameResult result;
       try {
         result = bench.draw();
@@ -62,7 +62,7 @@ TEST_F(Promise, OneSlotIsABudgetToo) {
   const scene::Scene scene = sheets({{1.0F}, {2.0F}, {3.0F}});
   for (const OitSettings& oit : sortedCases(1.0 / 12.0)) {
     if (oit.method == "kb-fixed" || oit.sync != "spinlock") continue;
-    Bench bench(scene, settingsOf(oit), {4, 3}, machine());
+    Bench bench(scene, settingsOf(oit), {4, 3}, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(bench.renderer.plan().slots, 1U);
     EXPECT_EQ(result.fragments->generated, 36U);
@@ -77,13 +77,13 @@ TEST_F(Promise, OneSlotIsABudgetToo) {
 
 TEST_F(Promise, MoreBudgetThanFragmentsIsExact) {
   const scene::Scene scene = tangle(60, 3);
-  Bench reference(scene, linearSettings("ab-sbuffer"), kSize, machine());
+  Bench reference(scene, linearSettings("ab-sbuffer"), kSize, device());
   reference.draw();
   for (const OitSettings& oit : sortedCases(64.0)) {
     if (oit.sync != "spinlock" || oit.fragmentBytes != 16) continue;
     // Not filled, slots follow importance alone, and a network may find none in a pixel.
     if (oit.method == "kb-learned" && !oit.fill) continue;
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_TRUE(result.exact) << describe(oit);
     EXPECT_EQ(countUnlike(bench.linear(), reference.linear()), 0U) << describe(oit);
@@ -140,7 +140,7 @@ TEST_F(Promise, FillFollowsItsMirror) {
   const scene::Scene scene = unlit(tangle(900, 4));
   for (const double kAve : {1.2, 2.0, 4.0, 8.0}) {
     Bench bench(scene, settingsOf({.method = "kb-variable", .kAve = kAve, .fill = true}), {96, 80},
-                machine());
+                device());
     bench.draw({0.3F, 0.4F});
     const std::vector<Given> given = givenBy(bench);
     const auto importance = bench.words(passes::kImportance, 1);

@@ -38,7 +38,7 @@ TEST_F(Depths, EqualOnesAllCountAndTheLowestIdsAreKept) {
   }
   const scene::Scene scene = sheets(list);
   for (const OitSettings& oit : completeCases(kSheets)) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kSheets * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, kSheets * kPixels) << describe(oit);
@@ -55,7 +55,7 @@ TEST_F(Depths, EqualOnesAllCountAndTheLowestIdsAreKept) {
         OitSettings{.method = "kb-plus", .kAve = kKept, .fill = true},
         OitSettings{.method = "peel", .layers = kKept}}) {
     for (const bool reversed : {false, true}) {
-      Bench bench(scene, settingsOf(oit), kSize, machine(), {.reversed = reversed});
+      Bench bench(scene, settingsOf(oit), kSize, device(), {.reversed = reversed});
       const passes::FrameResult result = bench.draw();
       EXPECT_EQ(result.fragments->stored, kKept * kPixels) << describe(oit);
       EXPECT_EQ(result.fragments->lost, (kSheets - kKept) * kPixels) << describe(oit);
@@ -72,7 +72,7 @@ TEST_F(Depths, ThatCrossAreSortedInEachPixel) {
   const glm::vec3 redFirst = over({red, blue}, {});
   const glm::vec3 blueFirst = over({blue, red}, {});
   for (const OitSettings& oit : completeCases(2)) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     EXPECT_EQ(bench.draw().fragments->stored, 2 * kPixels) << describe(oit);
     const std::vector<float> rgb = bench.linear();
     for (std::size_t p = 0; p < kPixels; ++p) {
@@ -96,7 +96,7 @@ TEST_F(Depths, BehindInFrontOfAndTouchingAnOpaqueSurface) {
                                      {3.0F, variedColor(3, 0.9F)}});
   const glm::vec3 expected = over({front, touching}, wall);
   for (const OitSettings& oit : completeCases(4)) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, 2 * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, 2 * kPixels) << describe(oit);
@@ -130,7 +130,7 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
         OitSettings{.method = "kb-plus", .kAve = kSlots},
         OitSettings{.method = "kb-plus", .kAve = kSlots, .fill = true},
         OitSettings{.method = "peel", .layers = kSlots}}) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->generated, kLayers * kPixels) << describe(oit);
     EXPECT_EQ(result.fragments->stored, kSlots * kPixels) << describe(oit);
@@ -145,7 +145,7 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
         OitSettings{.method = "kb-atomic", .kAve = kSlots, .tail = Tail::Mean}}) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.background = {0.25F, 0.5F, 0.75F};
-    Bench bench(scene, settings, kSize, machine());
+    Bench bench(scene, settings, kSize, device());
     const passes::FrameResult result = bench.draw();
     const std::uint64_t single = oit.fragmentBytes == 8 ? kSlots - 2 : kSlots - 1;
     EXPECT_EQ(result.fragments->stored, single * kPixels) << describe(oit);
@@ -154,7 +154,7 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
     EXPECT_FALSE(result.exact) << describe(oit);
     // The last layer is opaque: none of the background may show through the tail.
     settings.background = {};
-    Bench dark(scene, settings, kSize, machine());
+    Bench dark(scene, settings, kSize, device());
     dark.draw();
     EXPECT_LT(largestDifference(bench.linear(), dark.linear()), 1e-3F) << describe(oit);
     EXPECT_TRUE(allFinite(bench.linear())) << describe(oit);
@@ -162,15 +162,15 @@ TEST_F(Depths, ManyLayersKeepTheNearestAndCountTheRest) {
 }
 
 TEST_F(Depths, OfTheFirstDrawnAreSortedByStencilRouting) {
-  if (machine().capabilities.routableSamples.empty()) GTEST_SKIP() << "no multisample targets";
-  const int k = machine().capabilities.routableSamples.front();
+  if (device().capabilities.routableSamples.empty()) GTEST_SKIP() << "no multisample targets";
+  const int k = device().capabilities.routableSamples.front();
   std::vector<Sheet> list;
   for (int i = 0; i < k + 2; ++i) {
     list.push_back({1.0F + static_cast<float>(i * 5 % (k + 3)), variedColor(i + 1, 0.4F)});
   }
   for (const bool reversed : {false, true}) {
     const OitSettings oit{.method = "kb-stencil", .kAve = static_cast<double>(k)};
-    Bench bench(sheets(list), settingsOf(oit), kSize, machine(), {.reversed = reversed});
+    Bench bench(sheets(list), settingsOf(oit), kSize, device(), {.reversed = reversed});
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->stored, static_cast<std::uint64_t>(k) * kPixels);
     EXPECT_EQ(result.fragments->lost, 2 * kPixels);
@@ -196,7 +196,7 @@ TEST_F(Depths, BeyondWhatHalfFloatsCount) {
         OitSettings{.method = "kb-plus", .kAve = 8.0},
         OitSettings{.method = "kb-variable", .kAve = 8.0, .fill = true, .tail = Tail::Mean},
         OitSettings{.method = "ab-array", .layers = 16}}) {
-    Bench bench(scene, settingsOf(oit), kTiny, machine());
+    Bench bench(scene, settingsOf(oit), kTiny, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.deepest, static_cast<std::uint32_t>(kDeep)) << describe(oit);
     EXPECT_EQ(result.fragments->generated, std::uint64_t{kDeep} * 6) << describe(oit);

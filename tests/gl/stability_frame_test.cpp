@@ -11,7 +11,7 @@ using passes::Predictor;
 using passes::Tail;
 
 /// One row of options for each method, with tail and fill where they apply.
-std::vector<OitSettings> eachMethod(passes::Machine& machine) {
+std::vector<OitSettings> eachMethod(passes::DeviceContext& device) {
   std::vector<OitSettings> all{
       {.method = "blend"},
       {.method = "wboit"},
@@ -29,8 +29,8 @@ std::vector<OitSettings> eachMethod(passes::Machine& machine) {
       {.method = "kb-variable", .kAve = 2.0, .fill = true, .tail = Tail::Mean},
       {.method = "kb-variable", .kAve = 2.0, .importance = Predictor::Transmittance},
       {.method = "kb-variable", .kAve = 2.0, .tail = Tail::Mean, .importance = Predictor::Error}};
-  if (!machine.capabilities.routableSamples.empty()) {
-    const int samples = machine.capabilities.routableSamples.front();
+  if (!device.capabilities.routableSamples.empty()) {
+    const int samples = device.capabilities.routableSamples.front();
     all.push_back({.method = "kb-stencil", .kAve = static_cast<double>(samples)});
   }
   return all;
@@ -52,13 +52,13 @@ class Edges : public GlTest {};
 /// wait.
 TEST_F(Edges, PassesNeedNoWaitBetweenThem) {
   const scene::Scene scene = tangle(60, 1);
-  const gl::TimeSource before = machine().time.source;
-  for (const OitSettings& oit : eachMethod(machine())) {
+  const gl::TimeSource before = device().time.source;
+  for (const OitSettings& oit : eachMethod(device())) {
     if (oit.method == "kb-racy") continue;  // no two frames need to be alike
     std::vector<std::vector<std::uint8_t>> shown;
     for (const gl::TimeSource source : {gl::TimeSource::Finish, gl::TimeSource::Query}) {
-      machine().time.source = source;
-      Bench bench(scene, settingsOf(oit), {40, 24}, machine());
+      device().time.source = source;
+      Bench bench(scene, settingsOf(oit), {40, 24}, device());
       for (int frame = 0; frame < 2; ++frame) {
         bench.draw();
         shown.push_back(bench.display());
@@ -67,15 +67,15 @@ TEST_F(Edges, PassesNeedNoWaitBetweenThem) {
     EXPECT_EQ(shown[0], shown[2]) << describe(oit) << ", first frame";
     EXPECT_EQ(shown[1], shown[3]) << describe(oit) << ", second frame";
   }
-  machine().time.source = before;
+  device().time.source = before;
 }
 
 TEST_F(Edges, EverythingOffScreenShowsWhatIsBehind) {
   const scene::Scene scene = tangle(60, 1);
-  for (const OitSettings& oit : eachMethod(machine())) {
+  for (const OitSettings& oit : eachMethod(device())) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.background = {0.25F, 0.5F, 0.75F};
-    Bench bench(scene, settings, {24, 16}, machine());
+    Bench bench(scene, settings, {24, 16}, device());
     bench.draw();  // something to leave behind
     bench.camera.target = {0.0F, 0.0F, 1.0F};
     for (int frame = 0; frame < 2; ++frame) {
@@ -95,8 +95,8 @@ TEST_F(Edges, EverythingOffScreenShowsWhatIsBehind) {
 
 TEST_F(Edges, NothingTransparentNeedsNoStorage) {
   const scene::Scene scene = sheets({{2.0F, {0.5F, 0.5F, 0.5F, 1.0F}, 0.0F, 0.0F, true}});
-  for (const OitSettings& oit : eachMethod(machine())) {
-    Bench bench(scene, settingsOf(oit), {24, 16}, machine());
+  for (const OitSettings& oit : eachMethod(device())) {
+    Bench bench(scene, settingsOf(oit), {24, 16}, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_TRUE(result.exact) << describe(oit);
     EXPECT_EQ(bench.renderer.bytes().oit, 0U) << describe(oit);
@@ -116,10 +116,10 @@ TEST_F(Edges, OddSizesShowTheSame) {
   const glm::vec3 expected = over(colors, {});
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 64), glm::ivec2(127, 3),
                                 glm::ivec2(33, 17), glm::ivec2(2, 2)}) {
-    for (const OitSettings& given : eachMethod(machine())) {
+    for (const OitSettings& given : eachMethod(device())) {
       OitSettings oit = given;
       if (oit.method != "kb-stencil") oit.kAve = oit.tail == Tail::Mean ? 4.0 : 13.0;
-      Bench bench(scene, settingsOf(oit), size, machine());
+      Bench bench(scene, settingsOf(oit), size, device());
       const passes::FrameResult result = bench.draw();
       const std::string what = describe(oit) + " " + std::to_string(size.x);
       expectSound(bench, result, what);
@@ -145,7 +145,7 @@ TEST_F(Edges, LargeWindowsRun) {
         OitSettings{.method = "kb-variable", .kAve = 0.25}, OitSettings{.method = "blend"}}) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.tonemap.linearOut = false;
-    Bench bench(scene, settings, {4096, 4096}, machine());
+    Bench bench(scene, settings, {4096, 4096}, device());
     const passes::FrameResult result = bench.draw();
     if (!result.fragments) continue;
     EXPECT_EQ(result.fragments->generated, 4096ULL * 4096) << describe(oit);
@@ -161,10 +161,10 @@ TEST_F(Edges, GazeInCornersAndOutside) {
   for (const glm::vec2 gaze :
        {glm::vec2(0.0F, 0.0F), glm::vec2(1.0F, 0.0F), glm::vec2(0.0F, 1.0F), glm::vec2(1.0F, 1.0F),
         glm::vec2(-3.0F, 0.5F), glm::vec2(2.0F, 7.0F), glm::vec2(1e6F, -1e6F)}) {
-    for (const OitSettings& oit : eachMethod(machine())) {
+    for (const OitSettings& oit : eachMethod(device())) {
       passes::RenderSettings settings = settingsOf(oit);
       settings.importance.gazeWeight = 1.0;  // the predictors look at it too
-      Bench bench(scene, settings, {37, 29}, machine());
+      Bench bench(scene, settings, {37, 29}, device());
       for (int frame = 0; frame < 2; ++frame) {
         const passes::FrameResult result = bench.draw(gaze);
         expectSound(bench, result, describe(oit));
@@ -178,13 +178,13 @@ TEST_F(Edges, GazeInCornersAndOutside) {
 
 TEST_F(Edges, CutsResizesAndSettingsStartAfresh) {
   const scene::Scene scene = tangle(200, 5);
-  for (const OitSettings& oit : eachMethod(machine())) {
+  for (const OitSettings& oit : eachMethod(device())) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.importance.layerLimit = 10.0;  // else it follows what was seen before
-    Bench fresh(scene, settings, {40, 32}, machine());
+    Bench fresh(scene, settings, {40, 32}, device());
     fresh.draw();
     const std::vector<float> first = fresh.linear();
-    Bench bench(scene, settings, {56, 24}, machine());
+    Bench bench(scene, settings, {56, 24}, device());
     bench.draw({0.1F, 0.9F});
     bench.draw({0.9F, 0.1F});
     bench.renderer.resize({40, 32});
@@ -210,7 +210,7 @@ TEST_F(Edges, NoSlotsAndOneSlot) {
   // Half a slot for each pixel: k is 0 in half of them, 1 in the others.
   for (const OitSettings& oit : sortedCases(0.5)) {
     if (!oit.fill || oit.sync != "spinlock" || oit.fragmentBytes == 8) continue;
-    Bench bench(scene, settingsOf(oit), {32, 16}, machine());
+    Bench bench(scene, settingsOf(oit), {32, 16}, device());
     const passes::FrameResult result = bench.draw();
     ASSERT_TRUE(result.layers);
     EXPECT_EQ(result.layers->min, 0U) << describe(oit);

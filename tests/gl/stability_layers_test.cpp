@@ -16,9 +16,9 @@ TEST_P(CompleteMethods, CompositeAllLayers) {
   const scene::Camera camera = scene::makeLayers(1, 1).cameras.front();
   float worst = 0.0F;
   for (const passes::OitSettings& oit : completeCases(n)) {
-    if (oit.sync == "ordered" && !machine().ordered.passed) continue;
+    if (oit.sync == "ordered" && !device().ordered.passed) continue;
     const passes::RenderSettings settings = settingsOf(oit);
-    passes::FrameRenderer renderer(settings, machine());
+    passes::FrameRenderer renderer(settings, device());
     renderer.resize(kSize);
     renderer.setScene(gpu);
     for (int frame = 0; frame < 2; ++frame) {

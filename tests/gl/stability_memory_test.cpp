@@ -16,14 +16,14 @@ constexpr std::uint64_t kPixels = 48 * 40;
 class Memory : public GlTest {
  protected:
   void TearDown() override {
-    machine().capabilities.maxStorageBlockBytes = limit_;
+    device().capabilities.maxStorageBlockBytes = limit_;
     GlTest::TearDown();
   }
   /// Until the end of the test, buffers may hold no more.
-  void limitBlocks(std::int64_t bytes) { machine().capabilities.maxStorageBlockBytes = bytes; }
+  void limitBlocks(std::int64_t bytes) { device().capabilities.maxStorageBlockBytes = bytes; }
 
  private:
-  std::int64_t limit_ = machine().capabilities.maxStorageBlockBytes;
+  std::int64_t limit_ = device().capabilities.maxStorageBlockBytes;
 };
 
 TEST_F(Memory, ACappedPoolCountsWhatDoesNotFit) {
@@ -37,8 +37,8 @@ TEST_F(Memory, ACappedPoolCountsWhatDoesNotFit) {
   for (const Capped& c : {Capped{"ab-sbuffer", 262144 / 16}, Capped{"ab-list", 262144 / 20}}) {
     for (const char* sync : {"ordered", "spinlock"}) {
       const OitSettings oit{.method = c.method, .memoryMiB = 0.25, .sync = sync};
-      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
-      Bench bench(scene, settingsOf(oit), kSize, machine());
+      if (oit.sync == "ordered" && !device().ordered.passed) continue;
+      Bench bench(scene, settingsOf(oit), kSize, device());
       for (int frame = 0; frame < 3; ++frame) {
         const passes::FrameResult result = bench.draw();
         EXPECT_EQ(result.fragments->generated, kLayers * kPixels) << describe(oit);
@@ -63,7 +63,7 @@ TEST_F(Memory, ACappedPoolCountsWhatDoesNotFit) {
 
 TEST_F(Memory, ACapThatHoldsNothingIsRefused) {
   for (const char* method : {"ab-sbuffer", "ab-list", "kb-variable", "kb-fixed", "kb-plus"}) {
-    Bench bench(tangle(10, 1), settingsOf({.method = method, .memoryMiB = 1e-6}), kSize, machine());
+    Bench bench(tangle(10, 1), settingsOf({.method = method, .memoryMiB = 1e-6}), kSize, device());
     EXPECT_THROW(bench.draw(), InputError) << method;
   }
 }
@@ -71,7 +71,7 @@ TEST_F(Memory, ACapThatHoldsNothingIsRefused) {
 TEST_F(Memory, AFullArrayKeepsTheFirstDrawn) {
   constexpr int kLayers = 32;
   const OitSettings oit{.method = "ab-array", .layers = 5};
-  Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, machine());
+  Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, device());
   for (int frame = 0; frame < 2; ++frame) {
     const passes::FrameResult result = bench.draw();
     EXPECT_EQ(result.fragments->stored, 5 * kPixels);
@@ -83,7 +83,7 @@ TEST_F(Memory, AFullArrayKeepsTheFirstDrawn) {
 
 TEST_F(Memory, AnOverflowLeavesOtherPixelsAlone) {
   const scene::Scene scene = tangle(240, 5);
-  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, device());
   const std::uint64_t generated = exact.draw().fragments->generated;
   const std::vector<float> wanted = exact.linear();
   const auto counts = exact.floats(passes::kFragmentCount, 1);
@@ -94,8 +94,8 @@ TEST_F(Memory, AnOverflowLeavesOtherPixelsAlone) {
                              .memoryMiB = 8.0 * static_cast<double>(generated) / (1 << 20),
                              .sync = sync};
     for (const OitSettings& oit : {array, ranges}) {
-      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
-      Bench bench(scene, settingsOf(oit), kSize, machine());
+      if (oit.sync == "ordered" && !device().ordered.passed) continue;
+      Bench bench(scene, settingsOf(oit), kSize, device());
       const passes::FrameResult result = bench.draw();
       EXPECT_GT(result.fragments->lost, 500U) << describe(oit);
       const std::vector<float> rgb = bench.linear();
@@ -127,7 +127,7 @@ TEST_F(Memory, ARefusedGrowthLeavesTheRendererUsable) {
   const scene::Scene deep = scene::makeLayers(64, 1);
   const scene::GpuScene few(scene::makeLayers(2, 1), nullptr);
   for (const char* method : {"ab-sbuffer", "ab-list"}) {
-    Bench bench(deep, settingsOf({.method = method}), kSize, machine());
+    Bench bench(deep, settingsOf({.method = method}), kSize, device());
     limitBlocks(2 * 8 * static_cast<std::int64_t>(kPixels) * 4);  // eight slots a pixel
     // Twice: the first refusal must not leave a pool behind that is larger than its memory.
     for (int frame = 0; frame < 2; ++frame) {
@@ -162,7 +162,7 @@ TEST_F(Memory, BuffersBeyondTheDriverAreOneLine) {
   for (const OitSettings& oit : tooLarge) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.tonemap.linearOut = false;
-    Bench bench(scene, settings, {4096, 4096}, machine());
+    Bench bench(scene, settings, {4096, 4096}, device());
     try {
       bench.draw();
       ADD_FAILURE() << "drawn: " << describe(oit);

@@ -16,19 +16,19 @@ using passes::Tail;
 /// Draws frames of a scene and of its reverse, and adds up the values that differ.
 class Flip {
  public:
-  Flip(const scene::Scene& scene, glm::ivec2 size, passes::Machine& machine)
+  Flip(const scene::Scene& scene, glm::ivec2 size, passes::DeviceContext& device)
       : forward_(scene, nullptr, {}),
         backward_(scene, nullptr, {.reversed = true}),
         camera_(scene.cameras.front()),
         size_(size),
-        machine_(machine) {}
+        device_(device) {}
 
   void expectNoDifference(const OitSettings& oit, int tile = 1) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.importance.tile = tile;
     settings.importance.networkTile = tile;
-    passes::FrameRenderer a(settings, machine_);
-    passes::FrameRenderer b(settings, machine_);
+    passes::FrameRenderer a(settings, device_);
+    passes::FrameRenderer b(settings, device_);
     a.resize(size_);
     b.resize(size_);
     a.setScene(forward_);
@@ -62,7 +62,7 @@ class Flip {
   scene::GpuScene backward_;
   scene::Camera camera_;
   glm::ivec2 size_;
-  passes::Machine& machine_;
+  passes::DeviceContext& device_;
   int cases_ = 0;
   std::size_t compared_ = 0;
   std::size_t unlike_ = 0;
@@ -71,9 +71,9 @@ class Flip {
 class Order : public GlTest {
  protected:
   void flipAll(const scene::Scene& scene, glm::ivec2 size, const std::vector<OitSettings>& cases) {
-    Flip flip(scene, size, machine());
+    Flip flip(scene, size, device());
     for (const OitSettings& oit : cases) {
-      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
+      if (oit.sync == "ordered" && !device().ordered.passed) continue;
       flip.expectNoDifference(oit);
     }
     flip.report();
@@ -97,13 +97,13 @@ TEST_F(Order, OfSortedBuffersOnCoplanarLayers) {
 }
 
 TEST_F(Order, OfDepthSlicesAndNetworksThatPixelsShare) {
-  Flip flip(unlit(tangle(240, 7)), {47, 39}, machine());  // no multiple of a tile
+  Flip flip(unlit(tangle(240, 7)), {47, 39}, device());  // no multiple of a tile
   for (const int tile : {2, 4}) {
     for (const OitSettings& oit : sortedCases(2.0)) {
       const bool shares = oit.importance != passes::Predictor::Published ||
                           passes::methodById(oit.method).learnsImportance();
       if (!shares || oit.fragmentBytes == 8) continue;
-      if (oit.sync == "ordered" && !machine().ordered.passed) continue;
+      if (oit.sync == "ordered" && !device().ordered.passed) continue;
       flip.expectNoDifference(oit, tile);
     }
   }
@@ -170,8 +170,8 @@ TEST_F(Order, OfTheSumsOfTailsThemselves) {
   const scene::Scene scene = unlit(tangle(900, 7));
   for (const char* method : {"kb-fixed", "kb-atomic"}) {
     const OitSettings oit{.method = method, .kAve = 2.0, .tail = Tail::Mean};
-    Bench forward(scene, settingsOf(oit), {64, 48}, machine());
-    Bench backward(scene, settingsOf(oit), {64, 48}, machine(), {.reversed = true});
+    Bench forward(scene, settingsOf(oit), {64, 48}, device());
+    Bench backward(scene, settingsOf(oit), {64, 48}, device(), {.reversed = true});
     forward.draw();
     backward.draw();
     const auto there = tailWords(forward);

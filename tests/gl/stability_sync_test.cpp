@@ -65,14 +65,14 @@ class Ordering : public GlTest {};
 
 TEST_F(Ordering, LocksAreNeverGivenUpWithTheUsualBound) {
   for (const OitSettings& oit : lockedCases()) {
-    Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, machine());
+    Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, device());
     EXPECT_EQ(bench.draw().lockFailures, 0U) << describe(oit);
   }
 }
 
 TEST_F(Ordering, LocksGivenUpEverywhereAreCountedAsLost) {
   const ShadersWithLockBound shaders("0");
-  passes::Machine own;
+  passes::DeviceContext own;
   own.programs = gl::ProgramCache(shaders.folder());
   for (const OitSettings& oit : lockedCases()) {
     Bench bench(scene::makeLayers(kLayers, 1), settingsOf(oit), kSize, own);
@@ -95,13 +95,13 @@ TEST_F(Ordering, LocksGivenUpEverywhereAreCountedAsLost) {
 TEST_F(Ordering, LocksGivenUpInPlacesLeaveTheOthersAlone) {
   // No try in even columns, one in odd ones, which is enough without contention.
   const ShadersWithLockBound shaders("(int(gl_FragCoord.x) & 1)");
-  passes::Machine own;
+  passes::DeviceContext own;
   own.programs = gl::ProgramCache(shaders.folder());
   if (!own.ordered.passed) GTEST_SKIP() << "fragments of a pixel may contend here";
   for (const OitSettings& oit : lockedCases()) {
     if (oit.method == "kb-variable") continue;  // its slots differ from pixel to pixel
     const scene::Scene scene = scene::makeLayers(kLayers, 1);
-    Bench whole(scene, settingsOf(oit), kSize, machine());
+    Bench whole(scene, settingsOf(oit), kSize, device());
     Bench bench(scene, settingsOf(oit), kSize, own);
     const passes::FrameResult wanted = whole.draw();
     const passes::FrameResult result = bench.draw();
@@ -129,16 +129,16 @@ TEST_F(Ordering, WithoutItPixelsMayDiffer) {
     for (const int bytes : {16, 8}) {
       const scene::Scene scene = tangle(300, 5);
       OitSettings oit{.method = "kb-fixed", .kAve = 4.0, .tail = tail, .fragmentBytes = bytes};
-      Bench fixed(scene, settingsOf(oit), kLarger, machine());
+      Bench fixed(scene, settingsOf(oit), kLarger, device());
       oit.method = "kb-racy";
-      Bench racy(scene, settingsOf(oit), kLarger, machine());
+      Bench racy(scene, settingsOf(oit), kLarger, device());
       fixed.draw();
       const passes::FrameResult result = racy.draw();
       EXPECT_FALSE(result.exact) << "it cannot promise anything";
       const std::uint64_t unlike =
           measure::countUnlikePixels(displayed(fixed, kLarger), displayed(racy, kLarger));
       note("pixels unlike, " + describe(oit), static_cast<double>(unlike));
-      if (machine().ordered.passed) {
+      if (device().ordered.passed) {
         EXPECT_EQ(unlike, 0U) << "this rasteriser orders fragments by itself";
       }
     }

@@ -40,8 +40,8 @@ std::vector<std::uint32_t> slotsFromTop(const Bench& bench, glm::ivec2 size) {
 TEST_F(Tails, EqualTheirMirror) {
   constexpr glm::ivec2 kSize{72, 56};
   const scene::Scene scene = unlit(tangle(900, 7));
-  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, machine());
-  Bench opaque(scene, linearSettings("ab-sbuffer"), kSize, machine());
+  Bench exact(scene, linearSettings("ab-sbuffer"), kSize, device());
+  Bench opaque(scene, linearSettings("ab-sbuffer"), kSize, device());
   opaque.renderer.showTransparency(false);
   exact.draw();
   opaque.draw();
@@ -66,7 +66,7 @@ TEST_F(Tails, EqualTheirMirror) {
   }
   float worst = 0.0F;
   for (const OitSettings& oit : cases) {
-    Bench bench(scene, settingsOf(oit), kSize, machine());
+    Bench bench(scene, settingsOf(oit), kSize, device());
     const passes::FrameResult result = bench.draw();
     EXPECT_GT(result.fragments->merged, fragments.pixels()) << "tails take part";
     const auto slots = slotsFromTop(bench, kSize);
@@ -117,7 +117,7 @@ TEST_F(Tails, EmptyLayersChangeNothing) {
   for (const OitSettings& oit : scarceCases()) {
     passes::RenderSettings settings = settingsOf(oit);
     settings.background = {0.25F, 0.5F, 0.75F};
-    Bench bench(scene, settings, kTiny, machine());
+    Bench bench(scene, settings, kTiny, device());
     bench.draw();
     const std::vector<float> rgb = bench.linear();
     for (std::size_t i = 0; i < rgb.size(); ++i) {
@@ -138,8 +138,8 @@ TEST_F(Tails, LeaveEmptyLayersOut) {
        {OitSettings{.method = "kb-fixed", .kAve = 1.0, .tail = Tail::Mean},
         OitSettings{.method = "kb-fixed", .kAve = 2.0, .tail = Tail::Mean, .fragmentBytes = 8},
         OitSettings{.method = "kb-plus", .kAve = 1.0, .fill = true, .tail = Tail::Mean}}) {
-    Bench all(sheets(mixed), settingsOf(oit), kTiny, machine());
-    Bench some(sheets(solid), settingsOf(oit), kTiny, machine());
+    Bench all(sheets(mixed), settingsOf(oit), kTiny, device());
+    Bench some(sheets(solid), settingsOf(oit), kTiny, device());
     all.draw();
     some.draw();
     EXPECT_EQ(countUnlike(all.linear(), some.linear()), 0U) << describe(oit);
@@ -153,7 +153,7 @@ TEST_F(Tails, StayFiniteWithOpaqueAndBrightLayers) {
       const scene::GpuScene gpu(sheets(stack(alpha, brightness)), nullptr);
       for (const OitSettings& oit : scarceCases()) {
         const passes::RenderSettings settings = settingsOf(oit);
-        passes::FrameRenderer renderer(settings, machine());
+        passes::FrameRenderer renderer(settings, device());
         renderer.resize(kTiny);
         renderer.setScene(gpu);
         renderer.render(scene::Camera{}, glm::vec2(0.5F));
@@ -174,11 +174,11 @@ TEST_F(Tails, CountAsSlotsInTheHeatMap) {
   passes::RenderSettings settings = settingsOf({.method = "kb-plus", .kAve = 4.0, .fill = true});
   settings.heatmap.map = "k";
   settings.heatmap.range = 8.0;
-  Bench bare(scene, settings, kTiny, machine());
+  Bench bare(scene, settings, kTiny, device());
   settings.oit.tail = Tail::Mean;
-  Bench tailed(scene, settings, kTiny, machine());
+  Bench tailed(scene, settings, kTiny, device());
   settings.heatmap.range = 4.0;
-  Bench hottest(scene, settings, kTiny, machine());
+  Bench hottest(scene, settings, kTiny, device());
   bare.draw();
   EXPECT_EQ(tailed.draw().layers->mean, 4.0);
   hottest.draw();
@@ -206,7 +206,7 @@ TEST_F(Tails, AreNoBrighterOrDarkerThanTheirLayers) {
       }
       const scene::Scene scene = sheets(list);
       for (const OitSettings& oit : tails) {
-        Bench bench(scene, settingsOf(oit), kTiny, machine());
+        Bench bench(scene, settingsOf(oit), kTiny, device());
         const passes::FrameResult result = bench.draw();
         EXPECT_EQ(result.fragments->merged, result.fragments->generated) << describe(oit);
         // Shared exponents hold nine bits of the brightest channel.

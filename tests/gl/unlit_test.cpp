@@ -35,7 +35,7 @@ TEST_F(Unlit, ShowsItsBaseColourAlone) {
       over({{0.1F, 0.2F, 0.9F, 0.25F}, {0.6F, 0.1F, 0.3F, 0.5F}}, {0.2F, 0.4F, 0.1F});
   for (const bool textured : {false, true}) {
     for (const char* method : {"ab-sbuffer", "blend", "peel", "kb-fixed"}) {
-      Bench bench(emitting(1.0F, textured), linearSettings(method), kSize, machine());
+      Bench bench(emitting(1.0F, textured), linearSettings(method), kSize, device());
       bench.draw();
       const std::vector<float> rgb = bench.linear();
       for (int c = 0; c < 3; ++c) {
@@ -54,8 +54,8 @@ TEST_F(Unlit, IsPredictedByItsBaseColourAlone) {
     for (const OitSettings& oit : {slices, colors}) {
       passes::RenderSettings settings = settingsOf(oit);
       settings.readBack = true;
-      Bench dark(emitting(0.0F, textured), settings, kSize, machine());
-      Bench bright(emitting(1.0F, textured), settings, kSize, machine());
+      Bench dark(emitting(0.0F, textured), settings, kSize, device());
+      Bench bright(emitting(1.0F, textured), settings, kSize, device());
       dark.draw();
       bright.draw();
       EXPECT_EQ(dark.linear(), bright.linear()) << describe(oit);

@@ -24,10 +24,10 @@ scene::Scene tangleOf(float scale, scene::LightingOverride lighting) {
   return scene;
 }
 
-std::vector<float> orbitOf(const scene::Scene& scene, passes::Machine& machine) {
+std::vector<float> orbitOf(const scene::Scene& scene, passes::DeviceContext& device) {
   scene::Scene seen = scene;
   seen.cameras = {scene::autoOrbit(scene).at(2.0)};
-  Bench bench(seen, linearSettings("ab-sbuffer"), {64, 64}, machine);
+  Bench bench(seen, linearSettings("ab-sbuffer"), {64, 64}, device);
   bench.draw();
   return bench.linear();
 }
@@ -35,11 +35,11 @@ std::vector<float> orbitOf(const scene::Scene& scene, passes::Machine& machine) 
 TEST_F(GlTest, OrbitsShowAModelOfAnyScaleAlike) {
   for (const auto lighting : {scene::LightingOverride::Own, scene::LightingOverride::Four}) {
     // Powers of two: the same numbers, but for their exponents.
-    const std::vector<float> metre = orbitOf(tangleOf(1.0F, lighting), machine());
+    const std::vector<float> metre = orbitOf(tangleOf(1.0F, lighting), device());
     EXPECT_GT(std::count_if(metre.begin(), metre.end(), [](float v) { return v > 0.0F; }), 2000);
     for (const int power : {-14, -7, 10, 17}) {
       const std::vector<float> other =
-          orbitOf(tangleOf(std::ldexp(1.0F, power), lighting), machine());
+          orbitOf(tangleOf(std::ldexp(1.0F, power), lighting), device());
       double sum = 0.0;
       for (std::size_t i = 0; i < metre.size(); ++i) {
         sum += std::pow(static_cast<double>(other[i]) - static_cast<double>(metre[i]), 2.0);
@@ -69,8 +69,8 @@ scene::Scene manyLights(int dark) {
 }
 
 TEST_F(GlTest, LightsBeyondTheLimitAreChosenByWhatTheyAdd) {
-  Bench few(manyLights(0), linearSettings("ab-sbuffer"), {48, 48}, machine());
-  Bench many(manyLights(MAX_LIGHTS), linearSettings("ab-sbuffer"), {48, 48}, machine());
+  Bench few(manyLights(0), linearSettings("ab-sbuffer"), {48, 48}, device());
+  Bench many(manyLights(MAX_LIGHTS), linearSettings("ab-sbuffer"), {48, 48}, device());
   few.draw();
   many.draw();
   const std::vector<float> wanted = few.linear();
@@ -87,7 +87,7 @@ TEST_F(GlTest, ChoosingLightsAllocatesNothing) {
     scene.lights.back().position = {0.2F * static_cast<float>(i) - 6.0F, 1.5F, -4.0F};
     scene.lights.back().range = 1.0F;
   }
-  Bench bench(scene, linearSettings("kb-variable"), {48, 48}, machine());
+  Bench bench(scene, linearSettings("kb-variable"), {48, 48}, device());
   for (int i = 0; i < 3; ++i) bench.draw();
   const std::size_t before = allocationCount();
   for (int i = 0; i < 5; ++i) {
@@ -101,7 +101,7 @@ TEST_F(GlTest, ChoosingLightsAllocatesNothing) {
 TEST_F(GlTest, AHeatMapLeavesTheImageAsItIs) {
   const scene::Scene scene = tangle(60, 4);
   passes::RenderSettings settings = linearSettings("kb-variable", 2.0);
-  Bench plain(scene, settings, {48, 48}, machine());
+  Bench plain(scene, settings, {48, 48}, device());
   plain.draw();
   EXPECT_FALSE(plain.renderer.legend());
   EXPECT_EQ(plain.shown(), plain.display());
@@ -109,7 +109,7 @@ TEST_F(GlTest, AHeatMapLeavesTheImageAsItIs) {
     if (map == "none") continue;
     settings.heatmap.map = map;
     settings.foveation.enabled = map == "shading-rate";
-    Bench mapped(scene, settings, {48, 48}, machine());
+    Bench mapped(scene, settings, {48, 48}, device());
     mapped.draw();
     if (map != "shading-rate") {
       EXPECT_EQ(mapped.display(), plain.display()) << map;
@@ -124,12 +124,12 @@ TEST_F(GlTest, TheLegendHasTheRangeThatTheFrameWasDrawnWith) {
   const scene::Scene scene = tangle(200, 4);
   passes::RenderSettings settings = linearSettings("kb-variable", 4.0);
   settings.heatmap.map = "k";
-  Bench bench(scene, settings, {48, 48}, machine());
+  Bench bench(scene, settings, {48, 48}, device());
   EXPECT_EQ((bench.draw(), bench.renderer.legend()->maximum), 4.0) << "nothing was counted yet";
   const double most = bench.draw().layers->max;
   EXPECT_GT(most, 4.0);
   settings.heatmap.range = bench.renderer.legend()->maximum;
-  Bench fixed(scene, settings, {48, 48}, machine());
+  Bench fixed(scene, settings, {48, 48}, device());
   fixed.draw();
   fixed.draw();
   EXPECT_EQ(bench.shown(), fixed.shown());
@@ -147,7 +147,7 @@ TEST_F(GlTest, NoSunMakesAPixelInfinite) {
     for (const char* method : {"blend", "ab-sbuffer", "wboit"}) {
       passes::RenderSettings settings = linearSettings(method);
       settings.tonemap.curve = "neutral";
-      passes::FrameRenderer renderer(settings, machine());
+      passes::FrameRenderer renderer(settings, device());
       renderer.resize({48, 48});
       renderer.setScene(gpu);
       renderer.render(scene.cameras.front(), glm::vec2(0.5F));

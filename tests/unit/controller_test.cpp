@@ -1,4 +1,4 @@
-// The controller: its levers' order, what it says, and what bad clocks and changes do to it.
+// The controller: its controls' order, what it says, and what bad clocks and changes do to it.
 #include "engine/control/controller.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kTargetMs = 16.0;
-constexpr LeverWork kAll{.resize = true, .fovea = true, .layers = true};
+constexpr ControlWork kAll{.resize = true, .fovea = true, .layers = true};
 
 ControlSettings settingsFor(double targetMs) {
   ControlSettings settings;
@@ -35,7 +35,7 @@ PlantCase plantCase(int frames, std::function<Load(int)> load) {
 PlantRun run(Controller& controller, const PlantCase& c, double targetMs = kTargetMs,
              std::uint32_t seed = 1) {
   const Chooser choose = [&](const FrameTimes* newest, double resize, int frame) {
-    return controller.next(newest, resize, c.load(frame).levers());
+    return controller.next(newest, resize, c.load(frame).controls());
   };
   return runPlant(choose, c, targetMs, seed);
 }
@@ -53,8 +53,8 @@ TEST(Controller, IsAtRestWhereNothingIsAskedFor) {
   const ControlSettings settings;
   Controller controller(settings);
   const FrameTimes late = timesOf(0, 1.0, 100.0, 100.0);
-  EXPECT_EQ(controller.next(nullptr, 1.0, kAll), LeverValues{});
-  EXPECT_EQ(controller.next(&late, 1.0, kAll), LeverValues{});
+  EXPECT_EQ(controller.next(nullptr, 1.0, kAll), ControlValues{});
+  EXPECT_EQ(controller.next(&late, 1.0, kAll), ControlValues{});
   EXPECT_FALSE(controller.active());
   EXPECT_EQ(controller.notice(), "");
 }
@@ -62,39 +62,39 @@ TEST(Controller, IsAtRestWhereNothingIsAskedFor) {
 TEST(Controller, StartsAtRestAndFollowsTheFirstTime) {
   const ControlSettings settings = settingsFor(10.0);
   Controller controller(settings);
-  EXPECT_EQ(controller.next(nullptr, 1.0, kAll), LeverValues{});
+  EXPECT_EQ(controller.next(nullptr, 1.0, kAll), ControlValues{});
   EXPECT_TRUE(controller.active());
   const FrameTimes first = timesOf(0, 1.0, 20.0, 2.0);
   // As the law's own test has it by hand.
-  EXPECT_NEAR(controller.next(&first, 1.0, kAll)[Lever::Resize], 1.599526, 1e-6);
+  EXPECT_NEAR(controller.next(&first, 1.0, kAll)[QualityControl::Resize], 1.599526, 1e-6);
 }
 
-TEST(Controller, AnEasyTargetLeavesAllLeversAtRest) {
+TEST(Controller, AnEasyTargetLeavesAllControlsAtRest) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
   const PlantRun drawn = run(controller, plantCase(300, [](int) {
                                return Load{5.0, 3.0, 4.0, 0.5};
                              }));
-  for (const PlantFrame& frame : drawn.frames) EXPECT_EQ(frame.levers, LeverValues{});
+  for (const PlantFrame& frame : drawn.frames) EXPECT_EQ(frame.controls, ControlValues{});
   EXPECT_EQ(controller.notice(), "");
 }
 
-/// Frames at which a lever first left rest and last was away from it; -1: never.
+/// Frames at which a control first left rest and last was away from it; -1: never.
 struct Away {
   int first = -1;
   int last = -1;
 };
-Away awayOf(const PlantRun& drawn, Lever lever) {
+Away awayOf(const PlantRun& drawn, QualityControl control) {
   Away away;
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    if (drawn.frames[i].levers[lever] == 1.0) continue;
+    if (drawn.frames[i].controls[control] == 1.0) continue;
     if (away.first < 0) away.first = static_cast<int>(i);
     away.last = static_cast<int>(i);
   }
   return away;
 }
 
-TEST(Controller, LeversComeInTheirOrderAndGoInTheOther) {
+TEST(Controller, ControlsComeInTheirOrderAndGoInTheOther) {
   const ControlSettings settings = settingsFor(kTargetMs);
   // At r = 4: 10 + 20 + 4 ms at first, out of reach of r and the fovea; later all is easy.
   const auto load = [](int frame) {
@@ -103,9 +103,9 @@ TEST(Controller, LeversComeInTheirOrderAndGoInTheOther) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     Controller controller(settings);
     const PlantRun drawn = run(controller, plantCase(1000, load), kTargetMs, seed);
-    const Away resize = awayOf(drawn, Lever::Resize);
-    const Away fovea = awayOf(drawn, Lever::FoveaSlope);
-    const Away layers = awayOf(drawn, Lever::LayerShare);
+    const Away resize = awayOf(drawn, QualityControl::Resize);
+    const Away fovea = awayOf(drawn, QualityControl::FoveaSlope);
+    const Away layers = awayOf(drawn, QualityControl::LayerShare);
     EXPECT_LT(resize.first, fovea.first);
     EXPECT_LT(fovea.first, layers.first);
     EXPECT_LT(layers.last, fovea.last);
@@ -113,14 +113,14 @@ TEST(Controller, LeversComeInTheirOrderAndGoInTheOther) {
     EXPECT_LT(resize.last, 999);
     EXPECT_GT(layers.first, 0);
     EXPECT_EQ(controller.notice(), "");
-    // While another lever is away from rest, r stays at its end.
+    // While another control is away from rest, r stays at its end.
     for (int i = fovea.first; i < fovea.last; ++i) {
       EXPECT_EQ(drawn.frames[static_cast<std::size_t>(i)].resize, settings.mostResize) << i;
     }
   }
 }
 
-TEST(Controller, SlowLeversHoldWhatRCannotAndDoNotSwing) {
+TEST(Controller, SlowControlsHoldWhatRCannotAndDoNotSwing) {
   const ControlSettings settings = settingsFor(kTargetMs);
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     for (const int dead : {1, 3, 6}) {
@@ -132,7 +132,7 @@ TEST(Controller, SlowLeversHoldWhatRCannotAndDoNotSwing) {
       for (std::size_t i = 400; i < drawn.frames.size(); ++i) {
         EXPECT_LE(drawn.frames[i].trueMs, 1.05 * kTargetMs);
         EXPECT_GE(drawn.frames[i].trueMs, 0.75 * kTargetMs);
-        changes += drawn.frames[i].levers == drawn.frames[i - 1].levers ? 0 : 1;
+        changes += drawn.frames[i].controls == drawn.frames[i - 1].controls ? 0 : 1;
       }
       EXPECT_LE(changes, 1) << "seed " << seed << ", dead time " << dead;
     }
@@ -148,7 +148,8 @@ TEST(Controller, AStepThatSavesMoreThanAQuarterIsKept) {
     PlantCase c = plantCase(400, [](int) { return Load{14.0, 3.0, 0.0, 1.0}; });
     const PlantRun drawn = run(controller, c, kTargetMs, seed);
     for (std::size_t i = 50; i < drawn.frames.size(); ++i) {
-      ASSERT_EQ(drawn.frames[i].levers[Lever::FoveaSlope], 1.25) << "seed " << seed << ", " << i;
+      ASSERT_EQ(drawn.frames[i].controls[QualityControl::FoveaSlope], 1.25)
+          << "seed " << seed << ", " << i;
     }
   }
 }
@@ -159,15 +160,15 @@ TEST(Controller, ATargetOutOfReachIsSaidAndRecoveredFrom) {
   PlantCase c = plantCase(500, [](int) { return Load{40.0, 25.0, 8.0, 0.0}; });
   run(controller, c);
   EXPECT_THAT(controller.notice(), HasSubstr("the target of 16 ms is out of reach: 29"));
-  EXPECT_EQ(controller.levers()[Lever::LayerShare], 0.25);
-  EXPECT_EQ(controller.levers()[Lever::Resize], settings.mostResize);
+  EXPECT_EQ(controller.controls()[QualityControl::LayerShare], 0.25);
+  EXPECT_EQ(controller.controls()[QualityControl::Resize], settings.mostResize);
   // Times go on; the plant counts from 0 again, so they are given by hand.
   double resize = settings.mostResize;
   for (std::uint64_t frame = 500; frame < 800; ++frame) {
     const FrameTimes times = timesOf(frame - 1, resize, 20.0, 2.0);
-    resize = controller.next(&times, resize, kAll)[Lever::Resize];
+    resize = controller.next(&times, resize, kAll)[QualityControl::Resize];
   }
-  EXPECT_EQ(controller.levers()[Lever::LayerShare], 1.0);
+  EXPECT_EQ(controller.controls()[QualityControl::LayerShare], 1.0);
   EXPECT_NEAR(20.0 / (resize * resize) + 2.0, kTargetMs, 0.2);
   EXPECT_EQ(controller.notice(), "");
 }
@@ -179,7 +180,7 @@ TEST(Controller, ATimeOutOfReachIsSaidAnewOnceItHasMoved) {
   PlantCase c = plantCase(500, load);
   c.noise = 0.0;
   run(controller, c);
-  EXPECT_THAT(controller.notice(), HasSubstr("47.5 ms with every lever at its end"));
+  EXPECT_THAT(controller.notice(), HasSubstr("47.5 ms with every quality control at its end"));
 }
 
 TEST(Controller, WhatHasNoWorkIsLeftOut) {
@@ -189,20 +190,20 @@ TEST(Controller, WhatHasNoWorkIsLeftOut) {
   const PlantRun drawn = run(controller, plantCase(300, [](int) {
                                return Load{80.0, 4.0, 14.0, 0.0};
                              }));
-  EXPECT_EQ(awayOf(drawn, Lever::FoveaSlope).first, -1);
-  EXPECT_GT(awayOf(drawn, Lever::LayerShare).first, 0);
+  EXPECT_EQ(awayOf(drawn, QualityControl::FoveaSlope).first, -1);
+  EXPECT_GT(awayOf(drawn, QualityControl::LayerShare).first, 0);
   // Nothing at 1/r, which times show: layers alone.
   Controller other(settings);
   const PlantRun plain = run(other, plantCase(300, [](int) { return Load{0.0, 4.0, 16.0, 0.0}; }));
-  EXPECT_EQ(awayOf(plain, Lever::Resize).first, -1);
-  EXPECT_GT(awayOf(plain, Lever::LayerShare).first, 0);
+  EXPECT_EQ(awayOf(plain, QualityControl::Resize).first, -1);
+  EXPECT_GT(awayOf(plain, QualityControl::LayerShare).first, 0);
   // Not wanted: r alone, and out of reach.
   ControlSettings bare = settings;
   bare.fovea = bare.layers = false;
   Controller alone(bare);
   run(alone, plantCase(300, [](int) { return Load{80.0, 4.0, 24.0, 0.5}; }));
-  EXPECT_EQ(alone.levers()[Lever::LayerShare], 1.0);
-  EXPECT_EQ(alone.levers()[Lever::FoveaSlope], 1.0);
+  EXPECT_EQ(alone.controls()[QualityControl::LayerShare], 1.0);
+  EXPECT_EQ(alone.controls()[QualityControl::FoveaSlope], 1.0);
   EXPECT_THAT(alone.notice(), HasSubstr("out of reach"));
 }
 
@@ -214,10 +215,10 @@ TEST(Controller, FoveationSwitchedOffAndOnAgain) {
     return Load{224.0, 4.0, 0.0, foveated ? 0.8 : 0.0};
   };
   const PlantRun drawn = run(controller, plantCase(900, load));
-  EXPECT_GT(drawn.frames[299].levers[Lever::FoveaSlope], 1.0);
-  EXPECT_EQ(drawn.frames[300].levers[Lever::FoveaSlope], 1.0);  // at once, without work
-  EXPECT_EQ(drawn.frames[599].levers[Lever::FoveaSlope], 1.0);
-  EXPECT_GT(drawn.frames[899].levers[Lever::FoveaSlope], 1.0);
+  EXPECT_GT(drawn.frames[299].controls[QualityControl::FoveaSlope], 1.0);
+  EXPECT_EQ(drawn.frames[300].controls[QualityControl::FoveaSlope], 1.0);  // at once, without work
+  EXPECT_EQ(drawn.frames[599].controls[QualityControl::FoveaSlope], 1.0);
+  EXPECT_GT(drawn.frames[899].controls[QualityControl::FoveaSlope], 1.0);
   EXPECT_LE(drawn.frames[899].trueMs, 1.05 * kTargetMs);
 }
 
@@ -257,7 +258,7 @@ TEST(Controller, AClockThatWaitsForADisplaySwitchesControlOffAndRests) {
   c.refreshMs = 50.0;  // so long that every frame fits into one
   run(controller, c, 10.0);
   EXPECT_FALSE(controller.active());
-  EXPECT_EQ(controller.levers(), LeverValues{});
+  EXPECT_EQ(controller.controls(), ControlValues{});
   EXPECT_THAT(controller.notice(), HasSubstr("control is off: frame times do not follow"));
 }
 
@@ -285,7 +286,7 @@ TEST(Controller, AClockThatFailedAtTheStartIsSaid) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings, clockFault(16.7, 16.7));
   const FrameTimes times = timesOf(0, 1.0, 40.0, 4.0);
-  EXPECT_EQ(controller.next(&times, 1.0, kAll), LeverValues{});
+  EXPECT_EQ(controller.next(&times, 1.0, kAll), ControlValues{});
   EXPECT_FALSE(controller.active());
   EXPECT_THAT(controller.notice(), HasSubstr("16.700 and 16.700 ms"));
 }
@@ -300,7 +301,7 @@ TEST(Controller, ScalesWhatItKnowsWithTheWindow) {
   controller.resized(4.0);
   // A time of the old size comes late: it must not be taken for one of the new.
   const FrameTimes old = timesOf(99, before, 20.0, 1.0);
-  const double after = controller.next(&old, before, kAll)[Lever::Resize];
+  const double after = controller.next(&old, before, kAll)[QualityControl::Resize];
   EXPECT_NEAR(80.0 / (after * after) + 4.0, kTargetMs, 0.06 * kTargetMs);
 }
 
@@ -316,7 +317,7 @@ TEST(Controller, LawsThatCannotScaleForget) {
   controller.resized(2.0);
   for (std::uint64_t i = 14; i < 28; ++i) {
     const FrameTimes times = timesOf(i, 1.0, 20.0, 2.0);
-    EXPECT_EQ(controller.next(&times, 1.0, kAll)[Lever::Resize], 1.0) << i;
+    EXPECT_EQ(controller.next(&times, 1.0, kAll)[QualityControl::Resize], 1.0) << i;
   }
 }
 
@@ -324,45 +325,45 @@ TEST(Controller, AnotherSceneBeginsAtRest) {
   const ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
   run(controller, plantCase(300, [](int) { return Load{80.0, 4.0, 14.0, 0.0}; }));
-  EXPECT_LT(controller.levers()[Lever::LayerShare], 1.0);
+  EXPECT_LT(controller.controls()[QualityControl::LayerShare], 1.0);
   controller.restart();
   const FrameTimes old = timesOf(299, 4.0, 80.0, 18.0);
-  EXPECT_EQ(controller.next(&old, 4.0, kAll)[Lever::LayerShare], 1.0);
+  EXPECT_EQ(controller.next(&old, 4.0, kAll)[QualityControl::LayerShare], 1.0);
 }
 
 TEST(Controller, SettingsTakeEffectWithTheNextFrame) {
   ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
   run(controller, plantCase(100, [](int) { return Load{40.0, 4.0, 0.0, 0.0}; }));
-  EXPECT_GT(controller.levers()[Lever::Resize], 1.5);
+  EXPECT_GT(controller.controls()[QualityControl::Resize], 1.5);
   settings.law = "fixed";
   settings.fixedResize = 2.1;
   settings.resizeStep = 0.25;
-  EXPECT_EQ(controller.next(nullptr, 1.8, kAll)[Lever::Resize], 2.25);  // the next step up
+  EXPECT_EQ(controller.next(nullptr, 1.8, kAll)[QualityControl::Resize], 2.25);  // the next step up
   settings.law = "off";
-  EXPECT_EQ(controller.next(nullptr, 2.25, kAll), LeverValues{});
+  EXPECT_EQ(controller.next(nullptr, 2.25, kAll), ControlValues{});
   EXPECT_FALSE(controller.active());
 }
 
-TEST(Controller, AnotherLawTakesTheSlowLeversBack) {
+TEST(Controller, AnotherLawTakesTheSlowControlsBack) {
   ControlSettings settings = settingsFor(kTargetMs);
   Controller controller(settings);
   run(controller, plantCase(300, [](int) { return Load{80.0, 4.0, 14.0, 0.0}; }));
-  ASSERT_LT(controller.levers()[Lever::LayerShare], 1.0);
+  ASSERT_LT(controller.controls()[QualityControl::LayerShare], 1.0);
   settings.law = "yang2008";
-  EXPECT_EQ(controller.next(nullptr, 4.0, kAll)[Lever::LayerShare], 1.0);
+  EXPECT_EQ(controller.next(nullptr, 4.0, kAll)[QualityControl::LayerShare], 1.0);
 }
 
-TEST(Controller, AFixedRMovesNoLeverAndHasNoEndOfItsOwn) {
+TEST(Controller, AFixedRMovesNoControlAndHasNoEndOfItsOwn) {
   ControlSettings settings = settingsFor(kTargetMs);
   settings.law = "fixed";
   settings.fixedResize = 6.0;
   settings.mostResize = 4.0;
   Controller controller(settings);
   run(controller, plantCase(200, [](int) { return Load{400.0, 40.0, 14.0, 0.5}; }));
-  LeverValues expected;
-  expected[Lever::Resize] = 6.0;
-  EXPECT_EQ(controller.levers(), expected);
+  ControlValues expected;
+  expected[QualityControl::Resize] = 6.0;
+  EXPECT_EQ(controller.controls(), expected);
   EXPECT_EQ(controller.notice(), "");
 }
 
@@ -377,7 +378,7 @@ TEST(Controller, SaysWhatHoldsTheFrameInstead) {
   times = timesOf(1, 1.0, 8.0, 2.0);
   times.cpuMs = 25.0;
   times.intervalMs = 35.0;
-  EXPECT_EQ(controller.next(&times, 1.0, kAll), LeverValues{});
+  EXPECT_EQ(controller.next(&times, 1.0, kAll), ControlValues{});
   EXPECT_THAT(controller.notice(), HasSubstr("the CPU needs longer than the target"));
   times = timesOf(2, 1.0, 8.0, 2.0);
   times.cpuMs = 1.0;

@@ -73,7 +73,7 @@ inline void expectSame(const Frame& a, const Frame& b) {
   expectSameBits(a.gaze.radius, b.gaze.radius, "radius");
   EXPECT_EQ(a.gaze.saccade, b.gaze.saccade);
   expectSameBits(a.r, b.r, "r");
-  EXPECT_EQ(a.levers, b.levers);
+  EXPECT_EQ(a.controls, b.controls);
   EXPECT_EQ(a.unrecorded, b.unrecorded);
   EXPECT_EQ(a.imageSha256, b.imageSha256);
 }

@@ -113,7 +113,7 @@ TEST(RecordingFrame, KeepsEverySettingAndEveryEvent) {
   frame.scene.name = "layers-4";
   frame.cut = true;
   frame.r = 1.25;
-  frame.levers = {{"fovea", std::numeric_limits<double>::infinity()}, {"kAve", 3.3}};
+  frame.controls = {{"fovea", std::numeric_limits<double>::infinity()}, {"kAve", 3.3}};
   frame.unrecorded = 3;
   frame.imageSha256 = std::string(64, 'a');
   for (const Reset reset : {Reset::None, Reset::History, Reset::Scene, Reset::Restart}) {

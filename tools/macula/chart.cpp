@@ -125,14 +125,14 @@ void chart(const ChartOptions& options) {
   PointsFile file(folder / "points.jsonl");
 
   const window::HeadlessContext context(platformOf(options.platform));
-  passes::Machine machine;
-  const std::vector<Group> groups = expand(experiment, fingerprintOf(experiment, machine));
+  passes::DeviceContext device;
+  const std::vector<Group> groups = expand(experiment, fingerprintOf(experiment, device));
   output.begin();  // no file is named in it: finished points and their images stay
-  ChartRun run{experiment, folder, file, machine};
+  ChartRun run{experiment, folder, file, device};
   runGroups(run, groups);
 
   Results results{
-      &experiment, provenanceOf(machine), collect(file, experiment, groups), {}, run.skipped};
+      &experiment, provenanceOf(device), collect(file, experiment, groups), {}, run.skipped};
   results.warnings = gazeWarnings(experiment);
   results.provenance.made = made;
   results.targets = judge(experiment, results.points);

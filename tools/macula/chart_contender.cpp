@@ -9,7 +9,7 @@ namespace macula::tools {
 using experiment::Point;
 
 Contender::Contender(std::unique_ptr<VariantSettings> settings, const Stage& stage)
-    : settings_(std::move(settings)), stage_(stage), renderer_(settings_->render, stage.machine) {
+    : settings_(std::move(settings)), stage_(stage), renderer_(settings_->render, stage.device) {
   renderer_.resize(stage.size);
   renderer_.setScene(stage.gpu);
 }

@@ -18,7 +18,7 @@ namespace macula::tools {
 
 /// What a group draws: the scene in GPU memory, seen by one camera.
 struct Stage {
-  passes::Machine& machine;
+  passes::DeviceContext& device;
   const scene::GpuScene& gpu;
   scene::Camera camera;
   glm::vec2 gaze{0.5F};

@@ -43,7 +43,7 @@ LoadedGroup::LoadedGroup(ChartRun& run, const Group& group, ProgressBar& progres
       loaded_(load()),
       gpu_(loaded_.scene, loaded_.environment ? &*loaded_.environment : nullptr),
       camera_(parseCameraSpec(study_.camera, loaded_.scene)),
-      stage_{run.machine, gpu_, camera_.at(0.0),
+      stage_{run.device, gpu_, camera_.at(0.0),
              glm::vec2(gaze::parseGazeSpec(study_.gaze)->at(0.0).position),
              glm::ivec2(group.size.width, group.size.height)} {
   loaded_ = {};  // it is in GPU memory now

@@ -31,9 +31,9 @@ std::string hashOf(std::string_view bytes) {
 
 /// The program itself, its shaders and networks, and where they run: numbers of another are not
 /// these numbers.
-std::string programFingerprint(const passes::Machine& machine) {
-  std::string all = fmt::format("{} {} {} {} ", MACULA_COMMIT, machine.capabilities.renderer,
-                                machine.capabilities.version, std::thread::hardware_concurrency());
+std::string programFingerprint(const passes::DeviceContext& device) {
+  std::string all = fmt::format("{} {} {} {} ", MACULA_COMMIT, device.capabilities.renderer,
+                                device.capabilities.version, std::thread::hardware_concurrency());
   all += hashOf(readTextFile(fs::read_symlink("/proc/self/exe")));
   std::vector<fs::path> files;
   for (const fs::path& folder : {dataFolder("shaders"), dataFolder("assets") / "networks"}) {
@@ -100,8 +100,8 @@ fs::path findExperiment(const std::string& name) {
             nearestName(name, names));
 }
 
-Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& machine) {
-  Fingerprint fingerprint{programFingerprint(machine) + networksNamedBy(experiment), {}};
+Fingerprint fingerprintOf(const Experiment& experiment, const passes::DeviceContext& device) {
+  Fingerprint fingerprint{programFingerprint(device) + networksNamedBy(experiment), {}};
   std::error_code error;
   const auto add = [&](const std::string& name) {
     if (fs::is_regular_file(name, error)) fingerprint.files[name] = hashOf(readTextFile(name));
@@ -114,17 +114,17 @@ Fingerprint fingerprintOf(const Experiment& experiment, const passes::Machine& m
   return fingerprint;
 }
 
-Provenance provenanceOf(const passes::Machine& machine) {
+Provenance provenanceOf(const passes::DeviceContext& device) {
   const std::time_t now = std::time(nullptr);
   char date[16];
   std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
   return {MACULA_COMMIT,
           processorName(),
           static_cast<int>(std::thread::hardware_concurrency()),
-          machine.capabilities.renderer,
-          machine.capabilities.version,
-          machine.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
-                                                        : "GL timer queries",
+          device.capabilities.renderer,
+          device.capabilities.version,
+          device.time.source == gl::TimeSource::Finish ? "glFinish and a steady clock"
+                                                       : "GL timer queries",
           date,
           {}};
 }

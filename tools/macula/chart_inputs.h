@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/experiment/report.h"
-#include "passes/machine.h"
+#include "passes/device_context.h"
 
 namespace macula::tools {
 
@@ -18,10 +18,10 @@ namespace macula::tools {
 /// Hashes of the program, its shaders and networks, the device, and the files of scenes, cameras
 /// and gaze: what a point's numbers depend on.
 [[nodiscard]] experiment::Fingerprint fingerprintOf(const experiment::Experiment& experiment,
-                                                    const passes::Machine& machine);
+                                                    const passes::DeviceContext& device);
 
 /// Commit, processor, GL and date.
-[[nodiscard]] experiment::Provenance provenanceOf(const passes::Machine& machine);
+[[nodiscard]] experiment::Provenance provenanceOf(const passes::DeviceContext& device);
 
 /// What the experiment reads: lists in the order of its studies, each input once.
 /// @param name of the experiment on the command line @param file it was read from

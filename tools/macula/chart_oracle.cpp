@@ -62,7 +62,7 @@ Oracles::Oracles(const Contender& exact, const Stage& stage) {
   const passes::RenderSettings& settings = exact.settings();
   if (!exact.result().exact) failInput("the exact frame was not exact; use a smaller size");
   if (settings.tonemap.ssaa != 1) failInput("oracles need frame.ssaa = 1");
-  passes::FrameRenderer opaque(settings, stage.machine);
+  passes::FrameRenderer opaque(settings, stage.device);
   opaque.resize(stage.size);
   opaque.setScene(stage.gpu);
   opaque.showTransparency(false);

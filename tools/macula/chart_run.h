@@ -8,7 +8,7 @@
 #include "common.h"
 #include "engine/experiment/points_file.h"
 #include "engine/experiment/report.h"
-#include "passes/machine.h"
+#include "passes/device_context.h"
 
 namespace macula::tools {
 
@@ -17,7 +17,7 @@ struct ChartRun {
   const experiment::Experiment& experiment;
   std::filesystem::path folder;
   experiment::PointsFile& file;
-  passes::Machine& machine;
+  passes::DeviceContext& device;
   std::vector<experiment::Skipped> skipped = {};  ///< groups, and references that were refused
   std::size_t kept = 0;                           ///< points that were there already
   std::size_t measured = 0;

@@ -10,7 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
 #include "engine/gaze/hid/eye_tracker.h"
-#include "passes/machine.h"
+#include "passes/device_context.h"
 
 namespace macula::tools {
 namespace {
@@ -47,24 +47,24 @@ void print(const std::vector<gaze::hid::TrackerInfo>& trackers) {
 
 nlohmann::ordered_json describeGl(const Options& options) {
   const window::HeadlessContext context(platformOf(options.platform));
-  const passes::Machine machine;
-  const gl::Capabilities& c = machine.capabilities;
-  const auto sync = passes::chooseSync(passes::SyncMode::Auto, c, machine.ordered);
+  const passes::DeviceContext device;
+  const gl::Capabilities& c = device.capabilities;
+  const auto sync = passes::chooseSync(passes::SyncMode::Auto, c, device.ordered);
   if (options.json != "-") {
     fmt::print("context           EGL {}\nrenderer          {}\nversion           {}\n",
                context.description(), c.renderer, c.version);
     fmt::print("storage block     {} bytes\ntexture side      {} texels\nsamples           {}\n",
                c.maxStorageBlockBytes, c.maxTextureSize, c.maxSamples);
     fmt::print("interlock         {}\n", c.fragmentShaderInterlock ? "yes" : "no");
-    fmt::print("ordered           {} ({})\n", machine.ordered.passed ? "yes" : "no",
-               machine.ordered.reason);
+    fmt::print("ordered           {} ({})\n", device.ordered.passed ? "yes" : "no",
+               device.ordered.reason);
     fmt::print("synchronisation   {}\ntime source       {}\n", passes::nameOf(sync),
-               machine.time.reason);
-    for (std::size_t i = 0; i < machine.time.kRepeats.size(); ++i) {
+               device.time.reason);
+    for (std::size_t i = 0; i < device.time.kRepeats.size(); ++i) {
       fmt::print(
           "  {:<15} timer {:.3f} ms, steady clock {:.3f} ms\n",
-          counted(static_cast<std::uint64_t>(machine.time.kRepeats[i]), "dispatch", "dispatches"),
-          machine.time.queryMs[i], machine.time.finishMs[i]);
+          counted(static_cast<std::uint64_t>(device.time.kRepeats[i]), "dispatch", "dispatches"),
+          device.time.queryMs[i], device.time.finishMs[i]);
     }
   }
   return {{"context", context.description()},
@@ -73,13 +73,13 @@ nlohmann::ordered_json describeGl(const Options& options) {
           {"max_storage_block_bytes", c.maxStorageBlockBytes},
           {"max_texture_size", c.maxTextureSize},
           {"interlock", c.fragmentShaderInterlock},
-          {"ordered", machine.ordered.passed},
+          {"ordered", device.ordered.passed},
           {"sync", passes::nameOf(sync)},
           {"time_source",
-           {{"source", gl::nameOf(machine.time.source)},
-            {"reason", machine.time.reason},
-            {"query_ms", machine.time.queryMs},
-            {"finish_ms", machine.time.finishMs}}}};
+           {{"source", gl::nameOf(device.time.source)},
+            {"reason", device.time.reason},
+            {"query_ms", device.time.queryMs},
+            {"finish_ms", device.time.finishMs}}}};
 }
 
 /// Eye trackers do not need a GL device: they are told even where that one is refused.

@@ -3,12 +3,12 @@
 namespace macula::tools {
 namespace {
 
-using control::Lever;
+using control::QualityControl;
 
-frame::Levers leversOf(const control::LeverValues& values) {
-  return {.resize = static_cast<float>(values[Lever::Resize]),
-          .foveaSlope = static_cast<float>(values[Lever::FoveaSlope]),
-          .layerShare = static_cast<float>(values[Lever::LayerShare])};
+frame::QualityControls controlsOf(const control::ControlValues& values) {
+  return {.resize = static_cast<float>(values[QualityControl::Resize]),
+          .foveaSlope = static_cast<float>(values[QualityControl::FoveaSlope]),
+          .layerShare = static_cast<float>(values[QualityControl::LayerShare])};
 }
 
 }  // namespace
@@ -21,16 +21,16 @@ std::string clockFaultOf(const gl::TimeSourceCheck& check) {
 }
 
 void FrameControl::steer(passes::FrameRenderer& renderer) {
-  const control::LeverWork work{
+  const control::ControlWork work{
       .resize = renderer.canResize(),
       .fovea = rendering_.foveation.enabled,
       .layers = passes::methodById(rendering_.oit.method).costFollowsBudget() &&
                 renderer.inputs().facts.transparentTriangles > 0,
   };
-  const control::LeverValues& values =
+  const control::ControlValues& values =
       controller_.next(times_ ? &*times_ : nullptr, usedResize_, work);
   times_.reset();
-  renderer.setLevers(controller_.active() ? leversOf(values) : frame::Levers{});
+  renderer.setControls(controller_.active() ? controlsOf(values) : frame::QualityControls{});
 }
 
 void FrameControl::note(const passes::FrameResult& result, std::optional<double> cpuMs,

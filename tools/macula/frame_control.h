@@ -14,7 +14,7 @@ namespace macula::tools {
 /// Why the clock that frames are timed by cannot be controlled by; empty where it can.
 [[nodiscard]] std::string clockFaultOf(const gl::TimeSourceCheck& check);
 
-/// Sets the quality controls (levers) of one renderer, frame by frame.
+/// Sets the quality controls of one renderer, frame by frame.
 class FrameControl {
  public:
   /// @param settings, rendering must outlive it; may change at any time

@@ -175,8 +175,8 @@ std::string toCsv(const HoldRecord& record) {
     const HoldFrame& frame = record.frames[i];
     const measure::FrameRecord& numbers = record.records[i];
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", i, frame.timeSeconds, held.load,
-                       held.resize, frame.levers.resize, frame.levers.foveaSlope,
-                       frame.levers.layerShare, held.ms, held.resizableMs, held.fixedMs);
+                       held.resize, frame.controls.resize, frame.controls.foveaSlope,
+                       frame.controls.layerShare, held.ms, held.resizableMs, held.fixedMs);
     for (std::size_t row = 0; row < measure::kMetrics.size(); ++row) {
       if (measure::kMetrics[row].in(measure::kHold)) csv += cellOf(numbers.at(row));
     }
@@ -203,9 +203,9 @@ ordered_json pageData(const HoldRecord& record, const HoldOptions& options) {
     trace["fixed_ms"].push_back(rounded(record.held[i].fixedMs));
     trace["r"].push_back(rounded(record.held[i].resize));
     trace["fovea_slope"].push_back(
-        rounded(static_cast<double>(record.frames[i].levers.foveaSlope)));
+        rounded(static_cast<double>(record.frames[i].controls.foveaSlope)));
     trace["layer_share"].push_back(
-        rounded(static_cast<double>(record.frames[i].levers.layerShare)));
+        rounded(static_cast<double>(record.frames[i].controls.layerShare)));
   }
   data["trace"] = trace;
   return data;

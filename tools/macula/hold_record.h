@@ -23,8 +23,8 @@ struct LoadTimes {
 
 /// A frame with what control::HoldMeasures leave out.
 struct HoldFrame {
-  double timeSeconds = 0.0;  ///< on the path
-  frame::Levers levers;      ///< as asked for; resize 0 where nothing was controlled
+  double timeSeconds = 0.0;         ///< on the path
+  frame::QualityControls controls;  ///< as asked for; resize 0 where nothing was controlled
 };
 
 struct HoldNotice {

@@ -16,8 +16,8 @@
 #include "gaze_report.h"
 #include "hold.h"
 #include "hold_record.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
-#include "passes/machine.h"
 #include "provenance.h"
 
 namespace macula::tools {
@@ -37,7 +37,7 @@ control::HeldFrame heldFrame(const passes::FrameResult& result) {
 
 /// What is the same for all frames.
 struct Stage {
-  passes::Machine machine;
+  passes::DeviceContext device;
   scene::GpuScene gpu;
   recording::FrameSource& frames;
 
@@ -55,7 +55,7 @@ int loadAt(const std::vector<LoadStep>& steps, std::size_t frame) {
 std::vector<control::HeldFrame> drawStill(passes::FrameRenderer& renderer, const Stage& stage,
                                           int times, double resize, int frames) {
   renderer.setShadingLoad(times);
-  renderer.setLevers({.resize = static_cast<float>(resize)});
+  renderer.setControls({.resize = static_cast<float>(resize)});
   std::vector<control::HeldFrame> drawn;
   const recording::Frame& first = stage.frames.first();
   for (int i = -kUnmeasured; i < frames; ++i) {
@@ -109,9 +109,9 @@ double meanResize(const HoldRecord& record, int frames) {
 
 void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& stage,
                 passes::FrameRenderer& held, passes::FrameRenderer& fixed) {
-  FrameControl control(options.control, options.settings, stage.machine.time);
+  FrameControl control(options.control, options.settings, stage.device.time);
   control.resized(record.size);
-  const frame::Levers fixedLevers{.resize = static_cast<float>(record.fixedResize)};
+  const frame::QualityControls fixedControls{.resize = static_cast<float>(record.fixedResize)};
   ProgressBar progress("hold", options.frames);
   playFrames(stage.frames, progress, [&](const recording::Frame& source) {
     const int times = loadAt(record.steps, source.index);
@@ -120,13 +120,13 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     const passes::FrameResult result = held.render(source.camera, source.gaze, source.cut);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
-    const frame::Levers levers = held.inputs().levers;
+    const frame::QualityControls controls = held.inputs().controls;
     frame.load = times;
-    frame.othersAtRest = levers.foveaSlope == 1.0F && levers.layerShare == 1.0F;
-    record.frames.push_back({source.timeSeconds, levers});
+    frame.othersAtRest = controls.foveaSlope == 1.0F && controls.layerShare == 1.0F;
+    record.frames.push_back({source.timeSeconds, controls});
     record.records.push_back(recordOf(held, result));
     fixed.setShadingLoad(times);
-    fixed.setLevers(fixedLevers);
+    fixed.setControls(fixedControls);
     frame.fixedMs = fixed.render(source.camera, source.gaze, source.cut).totalMs;
     record.held.push_back(frame);
     const std::string notice = control.controller().notice();
@@ -173,14 +173,14 @@ void holdScene(HoldOptions& options) {
   const window::HeadlessContext context(platformOf(options.platform));
   Stage stage(*loaded, frames);
   loaded.reset();  // it is in GPU memory now
-  record.clockFault = clockFaultOf(stage.machine.time);
-  record.timeSource = gl::nameOf(stage.machine.time.source);
-  record.glRenderer = stage.machine.capabilities.renderer;
-  record.glVersion = stage.machine.capabilities.version;
+  record.clockFault = clockFaultOf(stage.device.time);
+  record.timeSource = gl::nameOf(stage.device.time.source);
+  record.glRenderer = stage.device.capabilities.renderer;
+  record.glVersion = stage.device.capabilities.version;
   if (!record.clockFault.empty()) fmt::print(stderr, "warning: {}\n", record.clockFault);
 
-  passes::FrameRenderer held(options.settings, stage.machine);
-  passes::FrameRenderer fixed(options.settings, stage.machine);
+  passes::FrameRenderer held(options.settings, stage.device);
+  passes::FrameRenderer fixed(options.settings, stage.device);
   for (passes::FrameRenderer* renderer : {&held, &fixed}) {
     renderer->resize(record.size);
     renderer->setScene(stage.gpu);

@@ -17,7 +17,7 @@
 #include "engine/measure/flicker.h"
 #include "engine/measure/hazards.h"
 #include "frame_record.h"
-#include "recorded_levers.h"
+#include "recorded_controls.h"
 #include "replay_input.h"
 
 namespace macula::tools {
@@ -49,7 +49,7 @@ class Replay {
   void draw(const Frame& frame);
   /// What is drawn beside a racy method; null beside others.
   Painter* ordered(const Frame& frame);
-  /// Does what was done before the frame: settings, scene, size, resets, levers.
+  /// Does what was done before the frame: settings, scene, size, resets, controls.
   void follow(const Frame& frame);
   void apply(const recording::Settings& settings);
   /// @param frame the first that is drawn with it
@@ -70,7 +70,7 @@ class Replay {
   passes::RenderSettings orderedSettings_;
   measure::RunRecord run_;
   window::HeadlessContext context_;
-  passes::Machine machine_;
+  passes::DeviceContext device_;
   std::unique_ptr<scene::GpuScene> gpu_;
   std::optional<Painter> painter_;
   std::optional<Painter> reference_;
@@ -122,11 +122,11 @@ void Replay::follow(const Frame& frame) {
   if (!frame.settings.empty()) apply(frame.settings);
   if (!frame.scene.name.empty()) loadScene(frame.scene, frame);
   if (!painter_) {
-    painter_.emplace(options_.settings, machine_, *gpu_, frame.size);
-    if (options_.reference) reference_.emplace(referenceSettings_, machine_, *gpu_, frame.size);
+    painter_.emplace(options_.settings, device_, *gpu_, frame.size);
+    if (options_.reference) reference_.emplace(referenceSettings_, device_, *gpu_, frame.size);
   }
   // The reference is drawn at full rate.
-  painter_->setLevers(replayedLevers(frame, options_.settings.lod.resize, options_.scene));
+  painter_->setControls(replayedControls(frame, options_.settings.lod.resize, options_.scene));
   if (frame.reset == Reset::None) return;
   const glm::ivec2 before = painter_->renderer().outputSize();
   forEachPainter([&](Painter& painter) {
@@ -147,7 +147,7 @@ passes::FrameResult Replay::render(const Frame& frame) {
 
 Painter* Replay::ordered(const Frame& frame) {
   if (!passes::methodById(options_.settings.oit.method).isRacy()) return nullptr;
-  if (!ordered_) ordered_.emplace(orderedSettings_, machine_, *gpu_, frame.size);
+  if (!ordered_) ordered_.emplace(orderedSettings_, device_, *gpu_, frame.size);
   return &*ordered_;
 }
 
@@ -202,7 +202,7 @@ void Replay::run() {
 void Replay::finish() {
   const std::size_t asked = input_.frames().count();
   run_.interrupted = run_.frames.size() < asked;
-  describeRun(run_, input_.scene().name, options_, machine_, painter_->renderer(),
+  describeRun(run_, input_.scene().name, options_, device_, painter_->renderer(),
               painter_->renderer().outputSize());
   input_.describe(run_);
   const nlohmann::ordered_json report = measure::toJson(run_);

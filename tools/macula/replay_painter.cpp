@@ -25,15 +25,15 @@ void Painter::write(OutputFolder& folder, std::string_view stem, int index,
 }
 
 void describeRun(measure::RunRecord& run, const std::string& scene, const ReplayOptions& options,
-                 const passes::Machine& machine, const passes::FrameRenderer& renderer,
+                 const passes::DeviceContext& device, const passes::FrameRenderer& renderer,
                  glm::ivec2 size) {
   run.commit = MACULA_COMMIT;
   run.scene = scene;
   run.width = size.x;
   run.height = size.y;
-  run.renderer = machine.capabilities.renderer;
-  run.version = machine.capabilities.version;
-  run.timeSource = gl::nameOf(machine.time.source);
+  run.renderer = device.capabilities.renderer;
+  run.version = device.capabilities.version;
+  run.timeSource = gl::nameOf(device.time.source);
   run.method = options.settings.oit.method;
   if (renderer.plan().sorted()) {
     run.sync = passes::nameOf(renderer.plan().sync);

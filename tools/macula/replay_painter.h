@@ -11,8 +11,8 @@
 #include "engine/measure/run_record.h"
 #include "engine/recording/recording.h"
 #include "engine/scene/gpu_scene.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
-#include "passes/machine.h"
 #include "replay.h"
 
 namespace macula::tools {
@@ -25,9 +25,9 @@ namespace macula::tools {
 /// One renderer with the buffers that its images are read into.
 class Painter {
  public:
-  Painter(const passes::RenderSettings& settings, passes::Machine& machine,
+  Painter(const passes::RenderSettings& settings, passes::DeviceContext& device,
           const scene::GpuScene& gpu, glm::ivec2 size)
-      : renderer_(settings, machine), linearOut_(settings.tonemap.linearOut) {
+      : renderer_(settings, device), linearOut_(settings.tonemap.linearOut) {
     resize(size);
     renderer_.setScene(gpu);
     display_.channels = linear_.channels = 3;
@@ -53,7 +53,7 @@ class Painter {
   }
   void setScene(const scene::GpuScene& gpu) { renderer_.setScene(gpu); }
   void restart() { renderer_.restart(); }
-  void setLevers(const frame::Levers& levers) { renderer_.setLevers(levers); }
+  void setControls(const frame::QualityControls& controls) { renderer_.setControls(controls); }
 
   [[nodiscard]] const passes::FrameRenderer& renderer() const { return renderer_; }
   /// The image of the last frame, without a heat map: what hashes and errors are of.
@@ -71,7 +71,7 @@ class Painter {
 /// @param scene as the report names it
 /// @param size of the images, pixels
 void describeRun(measure::RunRecord& run, const std::string& scene, const ReplayOptions& options,
-                 const passes::Machine& machine, const passes::FrameRenderer& renderer,
+                 const passes::DeviceContext& device, const passes::FrameRenderer& renderer,
                  glm::ivec2 size);
 
 /// Sets the metrics that compare a frame with its reference. Its gaze must be set.

@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "engine/control/levers.h"
+#include "engine/control/quality_controls.h"
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
 #include "engine/recording/reader.h"
 #include "engine/recording/scene_source.h"
 #include "provenance.h"
-#include "recorded_levers.h"
+#include "recorded_controls.h"
 #include "replay_input.h"
 
 namespace macula::tools {
@@ -116,8 +116,8 @@ Recording readForReplay(const ReplayOptions& options) {
   const std::string file = framesFileOf(options.scene);
   if (recording.frames.empty()) failInput("{}: no frame was recorded; record again", file);
   for (const recording::Frame& frame : recording.frames) {
-    (void)replayedLevers(frame, control::kLeastResize,
-                         fmt::format("{}: line {}", file, frame.index + 1));
+    (void)replayedControls(frame, control::kLeastResize,
+                           fmt::format("{}: line {}", file, frame.index + 1));
   }
   return recording;
 }

@@ -15,7 +15,7 @@
 #include "engine/measure/oracle.h"
 #include "engine/window/headless.h"
 #include "macula_version.h"
-#include "passes/machine.h"
+#include "passes/device_context.h"
 #include "passes/oit/learned/read_features.h"
 #include "passes/oit/statistics/read_fragments.h"
 #include "training_features.h"
@@ -60,16 +60,17 @@ std::uint16_t shortOf(std::uint32_t k) {
 /// The renderers of one scene.
 class SceneViews {
  public:
-  SceneViews(const FeaturesOptions& options, passes::Machine& machine, const scene::GpuScene& gpu)
+  SceneViews(const FeaturesOptions& options, passes::DeviceContext& device,
+             const scene::GpuScene& gpu)
       : options_(options),
-        machine_(machine),
+        device_(device),
         exactSettings_(passes::referenceOf(options.settings)),
         thesisSettings_(exactSettings_),
         learnedSettings_(exactSettings_),
-        exact_(exactSettings_, machine),
-        opaque_(exactSettings_, machine),
-        thesis_(thesisSettings_, machine),
-        learned_(learnedSettings_, machine) {
+        exact_(exactSettings_, device),
+        opaque_(exactSettings_, device),
+        thesis_(thesisSettings_, device),
+        learned_(learnedSettings_, device) {
     thesisSettings_.oit.method = "kb-learned";
     learnedSettings_.oit.method = "kb-variable";
     learnedSettings_.oit.importance = passes::Predictor::Learned;
@@ -98,8 +99,8 @@ class SceneViews {
       failInput("features: a view holds more fragments than fit; use a smaller --size");
     for (passes::FrameRenderer* renderer : {&opaque_, &thesis_, &learned_}) (void)draw(*renderer);
     const measure::FragmentImage image = passes::readFragments(exact_, opaque_);
-    const std::vector<float> thesis = passes::readFeatures(thesis_, opaque_, machine_.programs);
-    const std::vector<float> learned = passes::readFeatures(learned_, opaque_, machine_.programs);
+    const std::vector<float> thesis = passes::readFeatures(thesis_, opaque_, device_.programs);
+    const std::vector<float> learned = passes::readFeatures(learned_, opaque_, device_.programs);
     std::vector<measure::LayerChoice> optimal;
     std::vector<measure::LayerChoice> plain;
     std::vector<measure::LayerChoice> tail;
@@ -147,7 +148,7 @@ class SceneViews {
   }
 
   const FeaturesOptions& options_;
-  passes::Machine& machine_;
+  passes::DeviceContext& device_;
   passes::RenderSettings exactSettings_, thesisSettings_, learnedSettings_;
   passes::FrameRenderer exact_, opaque_, thesis_, learned_;
   measure::DisplayTransform display_;
@@ -209,7 +210,7 @@ void writeFeatures(const FeaturesOptions& o) {
   // Before minutes of rendering, not after.
   for (const FeaturesScene& scene : scenes) makeOutputFolder(scene.file.parent_path());
   const window::HeadlessContext context(platformOf(o.platform));
-  passes::Machine machine;
+  passes::DeviceContext device;
   nlohmann::ordered_json written = nlohmann::ordered_json::array();
   ProgressBar progress("features", static_cast<int>(scenes.size()) * o.views);
   for (const FeaturesScene& scene : scenes) {
@@ -220,7 +221,7 @@ void writeFeatures(const FeaturesOptions& o) {
       failInput("features: nothing in '{}' is transparent; add --scene.opacity 0.5", scene.scene);
     }
     Rows rows;
-    SceneViews views(o, machine, gpu);
+    SceneViews views(o, device, gpu);
     recording::ListedFrames frames = viewsOf(loaded.scene, o.views, parseSize(o.size));
     playFrames(frames, progress,
                [&](const recording::Frame& frame) { views.addView(rows, frame); });

@@ -86,15 +86,15 @@ void drawMethodTimes(const PanelInput& input) {
 void Panels::drawControl(const PanelInput& input) {
   panel_.row("control.law");
   if (input.control.settings().law == "off") return;
-  using control::Lever;
+  using control::QualityControl;
   panel_.row("control.targetMs");
   const control::Controller& controller = input.control.controller();
   ui::nameValue("r", fmt::format("{:.3f}", input.result.resizeFactor));
-  const control::LeverValues& levers = controller.levers();
-  if (levers[Lever::FoveaSlope] != 1.0 || levers[Lever::LayerShare] != 1.0) {
-    ui::nameValue(
-        "fovea's slope, layers",
-        fmt::format("x {:.2f}, x {:.2f}", levers[Lever::FoveaSlope], levers[Lever::LayerShare]));
+  const control::ControlValues& controls = controller.controls();
+  if (controls[QualityControl::FoveaSlope] != 1.0 || controls[QualityControl::LayerShare] != 1.0) {
+    ui::nameValue("fovea's slope, layers",
+                  fmt::format("x {:.2f}, x {:.2f}", controls[QualityControl::FoveaSlope],
+                              controls[QualityControl::LayerShare]));
   }
   if (!resizes_.empty()) {
     constexpr float kLines = 2.5F;

@@ -12,7 +12,7 @@
 #include "engine/recording/scene_source.h"
 #include "engine/ui/widgets.h"
 #include "macula_version.h"
-#include "recorded_levers.h"
+#include "recorded_controls.h"
 
 namespace macula::tools {
 namespace {
@@ -27,13 +27,13 @@ settings::Value recordedValue(const settings::Entry& entry) {
 }
 
 recording::Session sessionOf(const RecordStart& start, const settings::Registry& registry,
-                             const passes::Machine& machine) {
+                             const passes::DeviceContext& device) {
   recording::Session session;
   session.commit = MACULA_COMMIT;
   session.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   session.scene = start.scene;
-  session.renderer = machine.capabilities.renderer;
-  session.version = machine.capabilities.version;
+  session.renderer = device.capabilities.renderer;
+  session.version = device.capabilities.version;
   session.contentScale = start.contentScale;
   session.options = start.options;
   for (const settings::Entry& entry : registry.entries()) {
@@ -62,10 +62,10 @@ RecordStart recordStartOf(const WalkOptions& options, const window::Window& wind
 }
 
 WalkRecorder::WalkRecorder(const RecordStart& start, const settings::Registry& registry,
-                           const passes::Machine& machine, passes::FrameRenderer& renderer)
+                           const passes::DeviceContext& device, passes::FrameRenderer& renderer)
     : registry_(registry),
       hashes_(start.hashes),
-      writer_(start.folder, sessionOf(start, registry, machine)),
+      writer_(start.folder, sessionOf(start, registry, device)),
       steps_(renderer.steps()) {
   for (const settings::Entry& entry : registry.entries()) values_.push_back(entry.get());
   renderer.restart();
@@ -106,7 +106,7 @@ void WalkRecorder::frame(const RecordedFrame& events, const passes::FrameRendere
   frame_.camera = renderer.inputs().view.camera;
   frame_.gaze = renderer.inputs().gaze;
   frame_.r = events.r;
-  frame_.levers = recordedLevers(renderer.inputs().levers);
+  frame_.controls = recordedControls(renderer.inputs().controls);
   if (hashes_) {
     renderer.readDisplay(pixels_);
     frame_.imageSha256 = sha256Hex(std::as_bytes(std::span(pixels_)));

@@ -10,8 +10,8 @@
 #include "engine/recording/writer.h"
 #include "engine/settings/registry.h"
 #include "engine/window/window.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
-#include "passes/machine.h"
 #include "walk/options.h"
 
 namespace macula::tools {
@@ -43,7 +43,7 @@ class WalkRecorder {
   /// @param registry of the renderer's settings; must outlive the recorder
   /// @throws InputError where the folder holds a recording or cannot be written
   WalkRecorder(const RecordStart& start, const settings::Registry& registry,
-               const passes::Machine& machine, passes::FrameRenderer& renderer);
+               const passes::DeviceContext& device, passes::FrameRenderer& renderer);
 
   /// To be called after each frame of that renderer. Images that are drawn beside the walk belong
   /// to a renderer of their own: frames in between are noticed, but cannot be replayed.

@@ -65,14 +65,14 @@ ordered_json errorOf(const ErrorCheck& errors) {
 
 ordered_json controlOf(const WalkReport& report) {
   const control::Controller& controller = report.control.controller();
-  const control::LeverValues& levers = controller.levers();
+  const control::ControlValues& controls = controller.controls();
   ordered_json json{{"law", report.control.settings().law},
                     {"target_ms", report.control.settings().targetMs},
                     {"r", report.result.resizeFactor},
                     {"active", controller.active()},
                     {"notice", controller.notice()}};
-  for (const control::LeverInfo& info : control::kLeverOrder) {
-    json["levers"][std::string(info.name)] = levers[info.lever];
+  for (const control::ControlInfo& info : control::kControlOrder) {
+    json["levers"][std::string(info.name)] = controls[info.control];
   }
   return json;
 }

@@ -39,8 +39,8 @@ const std::vector<std::string>& viewModeNames() {
   return names;
 }
 
-SecondView::SecondView(const passes::RenderSettings& first, passes::Machine& machine)
-    : first_(first), machine_(machine), panel_(registry_), scale_(kFirstScale) {
+SecondView::SecondView(const passes::RenderSettings& first, passes::DeviceContext& device)
+    : first_(first), device_(device), panel_(registry_), scale_(kFirstScale) {
   passes::registerSettings(registry_, settings_);
   settings_.oit.method = kFirstSecond;
 }
@@ -60,7 +60,7 @@ glm::ivec2 SecondView::pictureSize(glm::ivec2 window) const {
 }
 
 void SecondView::makeRenderer(const FrameEvents& events, const scene::GpuScene& gpu) {
-  renderer_ = std::make_unique<passes::FrameRenderer>(settings_, machine_);
+  renderer_ = std::make_unique<passes::FrameRenderer>(settings_, device_);
   renderer_->resize(events.pictureSize);
   renderer_->setScene(gpu);
 }
@@ -131,7 +131,7 @@ void SecondView::drawDifference(const gl::Texture& first, const gl::Texture& sec
   if (difference_.width() != size.x || difference_.height() != size.y) {
     difference_ = gl::Texture("difference map", GL_RGBA8, size.x, size.y);
   }
-  glUseProgram(machine_.programs.get({{"difference.comp"}, {}, {}}));
+  glUseProgram(device_.programs.get({{"difference.comp"}, {}, {}}));
   glUniform1f(0, scale_);
   glBindTextureUnit(TEX_INPUT0, first.id());
   glBindTextureUnit(TEX_INPUT1, second.id());

@@ -11,8 +11,8 @@
 #include "engine/image/legend.h"
 #include "engine/ui/frame_rate.h"
 #include "engine/ui/settings_panel.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
-#include "passes/machine.h"
 #include "walk/frame_events.h"
 #include "walk/screen.h"
 
@@ -28,7 +28,7 @@ enum class ViewMode { One, Split, SideBySide, Difference };
 class SecondView {
  public:
   /// @param first the settings of method A, which must outlive this object
-  SecondView(const passes::RenderSettings& first, passes::Machine& machine);
+  SecondView(const passes::RenderSettings& first, passes::DeviceContext& device);
 
   void setMode(ViewMode mode);
   [[nodiscard]] ViewMode mode() const { return mode_; }
@@ -72,7 +72,7 @@ class SecondView {
   void drawDifference(const gl::Texture& first, const gl::Texture& second);
 
   const passes::RenderSettings& first_;
-  passes::Machine& machine_;
+  passes::DeviceContext& device_;
   passes::RenderSettings settings_;
   settings::Registry registry_;
   ui::SettingsPanel panel_;

@@ -103,11 +103,11 @@ void WalkSession::loadingFrame() {
   // The panel is on the screen by now (its first frame only finds its size), so that a pause for
   // compiling programs is no empty window.
   constexpr int kFramesUntilSeen = 2;
-  if (!machine_ && loadingFrames_ >= kFramesUntilSeen) {
-    machine_ = std::make_unique<passes::Machine>();
-    renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *machine_);
-    second_ = std::make_unique<SecondView>(options_.settings, *machine_);
-    control_ = std::make_unique<FrameControl>(options_.control, options_.settings, machine_->time);
+  if (!device_ && loadingFrames_ >= kFramesUntilSeen) {
+    device_ = std::make_unique<passes::DeviceContext>();
+    renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *device_);
+    second_ = std::make_unique<SecondView>(options_.settings, *device_);
+    control_ = std::make_unique<FrameControl>(options_.control, options_.settings, device_->time);
   }
 }
 

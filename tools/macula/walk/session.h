@@ -16,8 +16,8 @@
 #include "engine/window/held_keys.h"
 #include "engine/window/window.h"
 #include "frame_control.h"
+#include "passes/device_context.h"
 #include "passes/frame_renderer.h"
-#include "passes/machine.h"
 #include "walk/camera_control.h"
 #include "walk/error_check.h"
 #include "walk/frame_events.h"
@@ -123,7 +123,7 @@ class WalkSession {
   ErrorCheck errors_;
   Panels panels_;
   // Made once the window shows that something goes on: they compile programs.
-  std::unique_ptr<passes::Machine> machine_;
+  std::unique_ptr<passes::DeviceContext> device_;
   std::unique_ptr<passes::FrameRenderer> renderer_;
   std::unique_ptr<SecondView> second_;
   std::unique_ptr<FrameControl> control_;

@@ -163,8 +163,8 @@ void WalkSession::takeStills() {
 
 void WalkSession::writeLinearPicture(const std::string& file) {
   if (!image::hasExr()) failInput("{}: this build writes no EXR; use PNG (F12)", file);
-  image::ImageF picture = drawLinearStill(options_.settings, *machine_, *scene_.gpu, events_,
-                                          renderer_->inputs().levers);
+  image::ImageF picture = drawLinearStill(options_.settings, *device_, *scene_.gpu, events_,
+                                          renderer_->inputs().controls);
   startPicture(file, [file, picture = std::move(picture)] { image::writeExr(file, picture); });
 }
 
@@ -180,7 +180,7 @@ void WalkSession::measureErrors(const std::string& against) {
   // What is seen is what is measured, but for a heat map over it.
   pair.test = {pictureSize_.x, pictureSize_.y, 3, {}};
   renderer_->readDisplay(pair.test.pixels);
-  pair.reference = drawStill(reference, *machine_, *scene_.gpu, events_, {});
+  pair.reference = drawStill(reference, *device_, *scene_.gpu, events_, {});
   errors_.start(std::move(pair));
 }
 

@@ -39,7 +39,7 @@ void WalkSession::pollJobs() {
       say(error.what(), true);
     }
   }
-  if (!machine_) return;  // a scene waits until it can be drawn
+  if (!device_) return;  // a scene waits until it can be drawn
   try {
     if (const std::optional<ReadyScene> ready = loader_.poll()) adopt(*ready);
   } catch (const InputError& error) {

@@ -15,7 +15,7 @@
 namespace macula::tools {
 
 void WalkSession::beginRecording() {
-  recorder_.emplace(recordStartOf(options_, window_), options_.registry, *machine_, *renderer_);
+  recorder_.emplace(recordStartOf(options_, window_), options_.registry, *device_, *renderer_);
   gaze_.onSample([this](const gaze::GazeSample& sample) { recorder_->raw(sample); });
 }
 

@@ -7,35 +7,35 @@ namespace {
 constexpr int kSettlingFrames = 2;
 
 void drawSettled(passes::FrameRenderer& renderer, const scene::GpuScene& gpu,
-                 const FrameEvents& view, const frame::Levers& levers) {
+                 const FrameEvents& view, const frame::QualityControls& controls) {
   renderer.resize(view.pictureSize);
   renderer.setScene(gpu);
-  renderer.setLevers(levers);
+  renderer.setControls(controls);
   for (int i = 0; i < kSettlingFrames; ++i) renderer.render(view.camera, view.gaze);
 }
 
 }  // namespace
 
-image::Image8 drawStill(const passes::RenderSettings& settings, passes::Machine& machine,
+image::Image8 drawStill(const passes::RenderSettings& settings, passes::DeviceContext& device,
                         const scene::GpuScene& gpu, const FrameEvents& view,
-                        const frame::Levers& levers) {
+                        const frame::QualityControls& controls) {
   passes::RenderSettings own = settings;
   own.heatmap.map = "none";
-  passes::FrameRenderer renderer(own, machine);
-  drawSettled(renderer, gpu, view, levers);
+  passes::FrameRenderer renderer(own, device);
+  drawSettled(renderer, gpu, view, controls);
   image::Image8 image{view.pictureSize.x, view.pictureSize.y, 3, {}};
   renderer.readDisplay(image.pixels);
   return image;
 }
 
-image::ImageF drawLinearStill(const passes::RenderSettings& settings, passes::Machine& machine,
+image::ImageF drawLinearStill(const passes::RenderSettings& settings, passes::DeviceContext& device,
                               const scene::GpuScene& gpu, const FrameEvents& view,
-                              const frame::Levers& levers) {
+                              const frame::QualityControls& controls) {
   passes::RenderSettings own = settings;
   own.heatmap.map = "none";
   own.tonemap.linearOut = true;
-  passes::FrameRenderer renderer(own, machine);
-  drawSettled(renderer, gpu, view, levers);
+  passes::FrameRenderer renderer(own, device);
+  drawSettled(renderer, gpu, view, controls);
   image::ImageF image{view.pictureSize.x, view.pictureSize.y, 3, {}, true};
   renderer.readLinear(image.pixels);
   return image;

@@ -10,13 +10,13 @@
 namespace macula::passes {
 
 /// Needs a current context and must go before it does.
-struct Machine {
+struct DeviceContext {
   gl::Capabilities capabilities;
   gl::ProgramCache programs;
   gl::TimeSourceCheck time;
   OrderedCheck ordered;
 
-  Machine()
+  DeviceContext()
       : capabilities(gl::readCapabilities()),
         programs(dataFolder("shaders")),
         time(gl::checkTimeSource(programs)),

@@ -1,4 +1,4 @@
-#include "engine/control/lever_steps.h"
+#include "engine/control/slow_controls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,50 +15,50 @@ constexpr double kRoom = 0.97;
 /// is no reading of a clock.
 constexpr double kMoved = 0.1;
 
-const LeverInfo& infoOf(Lever lever) {
-  return *std::ranges::find(kLeverOrder, lever, &LeverInfo::lever);
+const ControlInfo& infoOf(QualityControl control) {
+  return *std::ranges::find(kControlOrder, control, &ControlInfo::control);
 }
 
-double stepped(const LeverInfo& info, double value) {
+double stepped(const ControlInfo& info, double value) {
   const double next = value * info.step;
   return info.end > info.rest ? std::min(next, info.end) : std::max(next, info.end);
 }
 
 }  // namespace
 
-void LeverSteps::observe(std::uint64_t frame, double totalMs, bool resizeEnded) {
+void SlowControls::observe(std::uint64_t frame, double totalMs, bool resizeEnded) {
   if (frame < since_) return;
   if (!resizeEnded) return forgetTimes(frame + 1);
   times_[count_++ % kWait] = totalMs;
 }
 
-void LeverSteps::forgetTimes(std::uint64_t frame) {
+void SlowControls::forgetTimes(std::uint64_t frame) {
   since_ = frame;
   count_ = 0;
   exhausted_ = false;
 }
 
-void LeverSteps::rest() {
+void SlowControls::rest() {
   steps_.clear();
   exhausted_ = false;
   count_ = 0;
 }
 
-bool LeverSteps::take(std::uint64_t frame, const LeverWork& work) {
-  LeverValues now;
+bool SlowControls::take(std::uint64_t frame, const ControlWork& work) {
+  ControlValues now;
   apply(now);
-  for (const LeverInfo& info : kLeverOrder) {
-    if (info.step == 0.0 || !work[info.lever] || now[info.lever] == info.end) continue;
-    steps_.push_back({info.lever, medianMs_});
+  for (const ControlInfo& info : kControlOrder) {
+    if (info.step == 0.0 || !work[info.control] || now[info.control] == info.end) continue;
+    steps_.push_back({info.control, medianMs_});
     forgetTimes(frame);
     return true;
   }
   return false;
 }
 
-void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& work) {
+void SlowControls::decide(std::uint64_t frame, double targetMs, const ControlWork& work) {
   // What has no work any more gives no time: back to rest, for when it has.
-  if (std::erase_if(steps_, [&](const Step& step) { return !work[step.lever]; }) > 0) {
+  if (std::erase_if(steps_, [&](const Step& step) { return !work[step.control]; }) > 0) {
     forgetTimes(frame);
   }
   if (count_ < kWait) return;
@@ -69,7 +69,7 @@ void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& w
     // The load may have changed beside it: a step that seems to have saved more than it can would
     // never be taken back.
     Step& step = steps_.back();
-    step.gain = std::clamp(step.beforeMs / medianMs_, 1.0, infoOf(step.lever).mostGain);
+    step.gain = std::clamp(step.beforeMs / medianMs_, 1.0, infoOf(step.control).mostGain);
   }
   const bool before = std::exchange(exhausted_, false);
   if (medianMs_ > kLate * targetMs) {
@@ -82,12 +82,12 @@ void LeverSteps::decide(std::uint64_t frame, double targetMs, const LeverWork& w
   }
 }
 
-void LeverSteps::apply(LeverValues& values) const {
-  for (const LeverInfo& info : kLeverOrder) {
-    if (info.step != 0.0) values[info.lever] = info.rest;
+void SlowControls::apply(ControlValues& values) const {
+  for (const ControlInfo& info : kControlOrder) {
+    if (info.step != 0.0) values[info.control] = info.rest;
   }
   for (const Step& step : steps_)
-    values[step.lever] = stepped(infoOf(step.lever), values[step.lever]);
+    values[step.control] = stepped(infoOf(step.control), values[step.control]);
 }
 
 }  // namespace macula::control
