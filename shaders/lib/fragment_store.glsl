@@ -37,12 +37,15 @@ vec3 unpackRgb9e5(uint v) {
   return m * exp2(float(v >> 27) - 24.0);
 }
 
-/// Depth, nearest first, in 24 bits: 30 bits hold all floats of 0..1; the lowest 6 are dropped.
-uint depth24(uvec2 key) { return (key.x - ~0x3F800000u) >> 6; }
+/// Depth as stored, nearest first, in 24 bits: the lowest 6 of the 30 that hold all floats of 0..1 are
+/// dropped. Of the key of a fragment that is not packed yet.
+uint depthRank(uvec2 key) { return (key.x - ~0x3F800000u) >> 6; }
+/// The same of a stored fragment.
+uint storedRank(Fragment f) { return f.key.x >> 8; }
 
 Fragment makeFragment(uvec2 key, vec4 premultiplied) {
   uint alpha = uint(clamp(premultiplied.a, 0.0, 1.0) * 255.0 + 0.5);
-  return Fragment(uvec2((depth24(key) << 8) | alpha, packRgb9e5(premultiplied.rgb)));
+  return Fragment(uvec2((depthRank(key) << 8) | alpha, packRgb9e5(premultiplied.rgb)));
 }
 
 vec4 colorOf(Fragment f) { return vec4(unpackRgb9e5(f.key.y), float(f.key.x & 255u) / 255.0); }
@@ -55,11 +58,13 @@ void storeTail(uint slot, vec4 sum) {
   keys[slot + 1u] = words.zw;
 }
 #endif
-/// Whether a fragment with this full key lies behind the stored one, whatever its colour.
-bool isBehind(uvec2 key, uint slot) { return depth24(key) > (keys[slot].x >> 8); }
-
 vec4 loadTail(uint slot) { return uintBitsToFloat(uvec4(keys[slot], keys[slot + 1u])); }
 #else
+/// Depth, nearest first: floats of 0..1 take 30 bits.
+uint depthRank(uvec2 key) { return key.x - ~0x3F800000u; }
+/// The same of a stored fragment.
+uint storedRank(Fragment f) { return depthRank(f.key); }
+
 Fragment makeFragment(uvec2 key, vec4 premultiplied) {
   vec4 c = min(premultiplied, vec4(kMaxHalf));
   return Fragment(key, uvec2(packHalf2x16(c.rg), packHalf2x16(c.ba)));
@@ -78,9 +83,6 @@ void storeTail(uint slot, vec4 sum) {
   colors[slot] = words.zw;
 }
 #endif
-/// Whether a fragment with this key lies behind the stored one.
-bool isBehind(uvec2 key, uint slot) { return !isNearer(key, keys[slot]); }
-
 vec4 loadTail(uint slot) { return uintBitsToFloat(uvec4(keys[slot], colors[slot])); }
 #endif
 #endif

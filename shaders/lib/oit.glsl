@@ -67,6 +67,9 @@ bool hasTail(uint n, uint k) {
 #endif
 }
 
+/// Slots in use, by a word of fragmentFill of sorted insertion (lib/insert_sorted.glsl).
+uint storedFragments(uint word, PixelSlots slots) { return min(word & ~RANGE_TAIL, slots.capacity); }
+
 /// Slots that a pixel demands at a high and at a low multiplier (lib/demand.glsl), as one word.
 uint packDemand(vec2 slots) { return uint(slots.x) | max(uint(slots.x), uint(slots.y)) << 16; }
 uvec2 unpackDemand(uint word) { return uvec2(word & 0xFFFFu, word >> 16); }

@@ -4,20 +4,19 @@
 // TAIL_DYNAMIC: the tail begins when the slots are full, because the number of fragments was not known.
 // INSERTION_ATOMIC: keys were stored before (oit/atomic_keys.frag); each colour goes to its key.
 // TAIL_DENSE: the others are summed by blending.
-// Per-pixel ordering: SYNC_ORDERED: the rasteriser draws a pixel's fragments in order on one thread.
-// SYNC_INTERLOCK, SYNC_SPINLOCK: mutual exclusion. SYNC_NONE: hazards on purpose.
+// SYNC_...: how a pixel's insertions exclude each other, see lib/pixel_lock.glsl.
 // COUNT_OUT: also counts fragments by blending, for the next frame.
 #if defined(SYNC_INTERLOCK) && defined(INSERTION_SORTED)
-layout(pixel_interlock_ordered) in;
+layout(pixel_interlock_unordered) in;
 #endif
 layout(early_fragment_tests) in;
 
 #define EXPLICIT_GRADIENTS
 #include "shared/bindings.h"
-#if defined(SYNC_ORDERED) || defined(SYNC_NONE) || defined(INSERTION_ATOMIC)
-#define SHARED_MEMORY
+#ifdef INSERTION_SORTED
+#include "lib/pixel_lock.glsl"
 #else
-#define SHARED_MEMORY coherent
+#define SHARED_MEMORY
 #endif
 #define STORE_ACCESS SHARED_MEMORY
 #include "lib/fragment_store.glsl"
@@ -30,9 +29,9 @@ layout(rg32ui, binding = IMG_0) readonly uniform uimage2D fragmentRange;
 layout(r32ui, binding = IMG_1) SHARED_MEMORY uniform uimage2D fragmentFill;
 #endif
 #ifdef FRONT_NORMAL
-layout(rgba8_snorm, binding = IMG_2) writeonly uniform image2D frontNormal;
+layout(rgba8_snorm, binding = IMG_2) SHARED_MEMORY writeonly uniform image2D frontNormal;
 #endif
-#ifdef SYNC_SPINLOCK
+#if defined(SYNC_SPINLOCK) && defined(INSERTION_SORTED)
 layout(r32ui, binding = IMG_3) coherent uniform uimage2D fragmentLock;
 #endif
 #ifdef INSERTION_LINKED
@@ -55,6 +54,10 @@ PixelSlots pixelSlots(ivec2 p) {
 }
 
 #ifdef INSERTION_SORTED
+#ifdef FRONT_NORMAL
+/// The geometric normal: that of a normal map would make the importance noisy.
+vec3 frontNormalOfFragment() { return geometricNormalAt(materials[inIds.x]); }
+#endif
 #include "lib/insert_sorted.glsl"
 #endif
 
@@ -126,36 +129,12 @@ void main() {
 #endif
   if (there) keep(p, slots, key);
 #else
-  // No early return: the interlock must begin outside of all branches.
-  uint fill = 0u;
-  bool wanted = there && (slots.capacity > 0u || slots.tail);
-#ifndef TAIL_IN_SLOT
-  if (wanted) {
-    fill = imageLoad(fragmentFill, p).r;
-    wanted = !isRejected(slots, fill, key);
-  }
+  bool wanted = there && !gl_HelperInvocation && (slots.capacity > 0u || slots.tail);
+#ifndef TAIL_IN_SLOT  // which needs every colour
+  wanted = wanted && !isRejected(p, slots, key);
 #endif
   Fragment fragment;
   if (wanted) fragment = makeFragment(key, shadeTransparent());
-#if defined(SYNC_INTERLOCK)
-  beginInvocationInterlockARB();
-  if (wanted) insertIfNearer(p, slots, fragment);
-  endInvocationInterlockARB();
-#elif defined(SYNC_SPINLOCK)
-  bool done = !wanted || gl_HelperInvocation;  // helpers write nothing and must not wait
-  for (int i = 0; i < LOCK_BOUND && !done; ++i) {
-    if (imageAtomicExchange(fragmentLock, p, 1u) != 0u) continue;
-    insertIfNearer(p, slots, fragment);
-    memoryBarrier();
-    imageAtomicExchange(fragmentLock, p, 0u);
-    done = true;
-  }
-  if (!done) atomicAdd(totals.lockFailures, 1u);
-#elif defined(TAIL_IN_SLOT) || defined(PACKED)
-  // A packed fragment's place among equal depths is known only with its colour.
-  if (wanted) insertIfNearer(p, slots, fragment);
-#else
-  if (wanted) insertSorted(p, slots, fill, fragment);
-#endif
+  EXCLUSIVELY(p, wanted, insertIfNearer(p, slots, fragment))
 #endif
 }

@@ -99,11 +99,11 @@ void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
 }
 #else
 void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
-  uint n = texelFetch(fragmentFill, p, 0).r;
+  uint word = texelFetch(fragmentFill, p, 0).r;
 #ifdef TAIL_DYNAMIC
-  slots.tail = (n & RANGE_TAIL) != 0u;
-  n &= ~RANGE_TAIL;
+  slots.tail = (word & RANGE_TAIL) != 0u;
 #endif
+  uint n = storedFragments(word, slots);
   for (uint i = 0u; i < n; ++i) compositeUnder(c, slots.first + i);
 #ifdef TAIL_IN_SLOT
 #ifndef TAIL_DYNAMIC

@@ -7,6 +7,7 @@
 #ifdef MACULA_GLSL
 #define MACULA_SHARED_BEGIN
 #define MACULA_SHARED_END
+#define INOUT(type) inout type
 #else
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -20,6 +21,7 @@
   using glm::vec4;           \
   using uint = std::uint32_t; /* NOLINT */
 #define MACULA_SHARED_END }
+#define INOUT(type) type&
 #endif
 
 #endif

@@ -13,8 +13,9 @@
 // Threads of a work-group of the strip passes.
 #define STRIP_GROUP 64
 
-// Tries for a spin lock. A pixel's contenders are the fragments in flight over it, some thousands
-// at the most; each holds the lock for one insertion.
+// Times that a spin lock is waited for, with some tries each (lib/pixel_lock.glsl). A pixel's
+// contenders are the fragments in flight over it, some thousands at the most; each holds the lock for
+// one insertion.
 #define LOCK_BOUND 32768
 
 // Fragments of one pixel that the resolve sorts in registers or local memory; deeper pixels are
@@ -54,6 +55,9 @@
 
 // Set in a pixel's number of slots where a tail stands behind them.
 #define RANGE_TAIL 0x80000000u
+// Set in a pixel's fill where all slots are in use; the other bits are then the farthest depth in
+// them, of which 30 bits tell all floats of 0..1 apart.
+#define FILL_FULL 0x40000000u
 
 // Optical depth of a layer at the most, in halvings: a transmittance of 1 / 65,536 is less than a
 // half float of radiance resolves.

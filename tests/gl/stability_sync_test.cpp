@@ -1,48 +1,16 @@
 // Per-pixel ordering that fails: locks that are given up, and insertion without any.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "engine/core/file.h"
 #include "engine/measure/hazards.h"
 #include "engine/scene/procedural/recipes.h"
 #include "oit_cases.h"
+#include "shader_copy.h"
 
 namespace macula::test {
 namespace {
 
 using passes::OitSettings;
 using passes::Tail;
-
-namespace fs = std::filesystem;
-
-/// A copy of the shaders with another bound of the spin locks, for as long as it lives.
-class ShadersWithLockBound {
- public:
-  explicit ShadersWithLockBound(const std::string& bound)
-      : folder_(fs::temp_directory_path() /
-                ("macula_locks_" + std::to_string(fs::hash_value(fs::current_path())) + "_" +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(folder_);
-    fs::copy(dataFolder("shaders"), folder_, fs::copy_options::recursive);
-    const fs::path header = folder_ / "shared" / "oit_constants.h";
-    std::string text = readTextFile(header);
-    const std::string define = "#define LOCK_BOUND ";
-    const std::size_t at = text.find(define);
-    EXPECT_NE(at, std::string::npos);
-    text.replace(at, text.find('\n', at) - at, define + bound);
-    fs::permissions(header, fs::perms::owner_write, fs::perm_options::add);
-    std::ofstream(header) << text;
-  }
-  ~ShadersWithLockBound() { fs::remove_all(folder_); }
-  ShadersWithLockBound(const ShadersWithLockBound&) = delete;
-  ShadersWithLockBound& operator=(const ShadersWithLockBound&) = delete;
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
 
 constexpr int kLayers = 12;
 constexpr int kSlots = 5;
@@ -71,7 +39,8 @@ TEST_F(Ordering, LocksAreNeverGivenUpWithTheUsualBound) {
 }
 
 TEST_F(Ordering, LocksGivenUpEverywhereAreCountedAsLost) {
-  const ShadersWithLockBound shaders("0");
+  const ShaderCopy shaders;
+  shaders.define("LOCK_BOUND", "0");
   passes::DeviceContext own;
   own.programs = gl::ProgramCache(shaders.folder());
   for (const OitSettings& oit : lockedCases()) {
@@ -94,7 +63,8 @@ TEST_F(Ordering, LocksGivenUpEverywhereAreCountedAsLost) {
 
 TEST_F(Ordering, LocksGivenUpInPlacesLeaveTheOthersAlone) {
   // No try in even columns, one in odd ones, which is enough without contention.
-  const ShadersWithLockBound shaders("(int(gl_FragCoord.x) & 1)");
+  const ShaderCopy shaders;
+  shaders.define("LOCK_BOUND", "(int(gl_FragCoord.x) & 1)");
   passes::DeviceContext own;
   own.programs = gl::ProgramCache(shaders.folder());
   if (!own.ordered.passed) GTEST_SKIP() << "fragments of a pixel may contend here";
