@@ -95,22 +95,22 @@ def configurations():
     return rows + OPAQUE
 
 
-def draw(folder, index, scene, options):
-    """One row's result, or (driver,) where the stored values are not of this driver."""
+def draw(folder, index, scene, options, environment):
+    """@returns one row's result and report; without a report where it could not be drawn"""
     out = os.path.join(folder, str(index))
     method, *rest = options.split()
     run = subprocess.run(
         [MACULA, "replay", scene, "--method", method, *rest, "--camera", "auto", "--gaze",
          "0.4,0.6", "--frames", FRAMES, "--size", SIZE, "--warmup", "1", "--platform",
          "surfaceless", "--out", out], capture_output=True, text=True,
-        env={**os.environ, **PINNED})
+        env={**os.environ, **environment})
     if run.returncode != 0:
         return {"error": run.stderr.strip()}, None
     with open(os.path.join(out, "report.json")) as f:
         report = json.load(f)
     frames = [{key: frame[key] for key in ("image_sha256", "fragments", "k", "r", "exact")}
               for frame in report["frames"]]
-    return {"frames": frames}, f"{report['gl']['renderer']} {report['gl']['version']}"
+    return {"frames": frames}, report
 
 
 def main():
@@ -118,8 +118,10 @@ def main():
     assert len(set(rows)) == len(rows), "a configuration stands twice"
     with tempfile.TemporaryDirectory() as folder, \
             concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(lambda row: draw(folder, row[0], *row[1]), enumerate(rows)))
-    drivers = {driver for _, driver in results if driver}
+        results = list(pool.map(lambda row: draw(folder, row[0], *row[1], PINNED),
+                                enumerate(rows)))
+    drivers = {f"{report['gl']['renderer']} {report['gl']['version']}"
+               for _, report in results if report}
     if any("llvmpipe" not in d or "Mesa 22.3" not in d for d in drivers):
         print("skipped: the stored values are those of Mesa 22.3's llvmpipe, this is", *drivers)
         sys.exit(77)
@@ -141,4 +143,5 @@ def main():
     sys.exit(bool(differing))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,60 +1,60 @@
 #!/usr/bin/env python3
-"""Small images of every method and procedural scene against stored ones, tolerance 0.
+"""Small images of every method and procedural scene against stored ones, tolerance 0, and their
+counts of fragments.
 
 The rasteriser compiles for the processor it finds, and wider vectors or fused multiply-adds change
 last bits. So the images are drawn with its code pinned to SSE 4.1, which every x86-64 machine in
-use runs. MACULA_UPDATE=1 writes the stored images; a missing one fails.
+use runs. MACULA_UPDATE=1 writes the stored images and counts; a missing one fails.
 """
 import json
 import os
-import subprocess
+import shutil
 import sys
 import tempfile
 
-MACULA = sys.argv[1]
-GOLDEN = os.path.join(os.environ["MACULA_SOURCE"], "tests", "golden")
-CASES = [(scene, method) for scene in ("layers-6", "smoke", "bottles", "gallery")
-         for method in ("blend", "ab-sbuffer", "kb-variable")]
+import golden_cases as cases
+
 PINNED = {"GALLIUM_OVERRIDE_CPU_CAPS": "sse4.1", "LP_NATIVE_VECTOR_WIDTH": "128",
           "LIBGL_ALWAYS_SOFTWARE": "1"}
-
-
-def draw(folder, scene, method):
-    subprocess.run([MACULA, "replay", scene, "--method", method, "--k-ave", "1", "--camera",
-                    "scene", "--gaze", "0.4,0.6", "--frames", "1", "--size", "96x64", "--images",
-                    "png", "--platform", "surfaceless", "--out", folder], check=True,
-                   stdout=subprocess.DEVNULL, env={**os.environ, **PINNED})
-    with open(os.path.join(folder, "report.json")) as f:
-        return json.load(f)["gl"]
 
 
 def main():
     failures = 0
     update = os.environ.get("MACULA_UPDATE") == "1"
+    counts = {} if update else cases.stored_counts()
     with tempfile.TemporaryDirectory() as folder:
-        for scene, method in CASES:
-            gl = draw(folder, scene, method)
+        for scene, method in cases.CASES:
+            report = cases.draw(folder, scene, method, PINNED)
+            gl = report["gl"]
             if "llvmpipe" not in gl["renderer"] or "Mesa 22.3" not in gl["version"]:
                 print("skipped: the stored images are those of Mesa 22.3's llvmpipe, this is",
                       gl["renderer"], gl["version"])
                 sys.exit(77)
-            made = os.path.join(folder, "frame_00000.png")
-            stored = os.path.join(GOLDEN, f"{scene}_{method}.png")
+            name = f"{scene}_{method}"
+            made = cases.drawn_image(folder)
+            stored = cases.stored_image(scene, method)
             if update:
-                os.replace(made, stored)
+                shutil.copyfile(made, stored)
+                counts[name] = cases.counts(report)
                 continue
             if not os.path.exists(stored):
                 print("FAILED: missing", stored)
                 failures += 1
                 continue
-            printed = subprocess.run([MACULA, "compare", stored, made, "--json", "-"], check=True,
-                                     capture_output=True, text=True).stdout
-            error = json.loads(printed)
+            error = cases.difference(stored, made)
             if error["max"] != 0:
-                print(f"FAILED {scene} {method}: {error}")
+                print(f"FAILED {name}: {error}")
                 failures += 1
-    print("golden:", "updated" if update else f"{len(CASES)} images, {failures} differ")
+            if cases.counts(report) != counts.get(name):
+                print(f"FAILED {name}: {cases.counts(report)}, stored {counts.get(name)}")
+                failures += 1
+    if update:
+        with open(cases.COUNTS, "w", encoding="utf-8") as f:
+            json.dump(counts, f, indent=1)
+            f.write("\n")
+    print("golden:", "updated" if update else f"{len(cases.CASES)} images, {failures} differ")
     sys.exit(failures > 0)
 
 
-main()
+if __name__ == "__main__":
+    main()
