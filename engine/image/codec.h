@@ -1,4 +1,4 @@
-// The codecs of engine/image: each build has one codec_*.cpp for PNG and EXR.
+// The codecs of engine/image.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// PNG and EXR through the module that holds OpenImageIO, opened at the first image: its libraries
-// take some 120 MB and a tenth of a second, which a command without images does not pay.
+// PNG and EXR through an image module, opened at the first image: OpenImageIO's libraries take some
+// 120 MB and a tenth of a second, which a command without images does not pay. A build without
+// OpenImageIO has its module in the program.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -18,6 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// @throws InputError where it is of another version
+const IoModule& checked(const IoModule* module, const std::string& file) {
+  if (module == nullptr || module->version != kIoModuleVersion) {
+    failInput("{}: belongs to another version of Macula; install the program and its modules again",
+              file);
+  }
+  return *module;
+}
+
+#if MACULA_IMAGE_IO
 const IoModule& openModule() {
   const std::string file = moduleFile(kIoModuleFile).string();
   // Local, so that none of its libraries takes the place of one that the program or the GL driver
@@ -29,13 +40,13 @@ const IoModule& openModule() {
               why == nullptr ? "no reason given" : why);
   }
   const auto entry = reinterpret_cast<IoModuleEntry>(::dlsym(handle, kIoModuleEntry));
-  const IoModule* module = entry == nullptr ? nullptr : entry();
-  if (module == nullptr || module->version != kIoModuleVersion) {
-    failInput("{}: belongs to another version of Macula; install the program and its modules again",
-              file);
-  }
-  return *module;
+  return checked(entry == nullptr ? nullptr : entry(), file);
 }
+#else
+const IoModule& openModule() {
+  return checked(maculaImageIoModule(), "this program");
+}
+#endif
 
 /// @throws InputError at every call until the module can be opened
 const IoModule& module() {
@@ -53,8 +64,10 @@ bool succeeded(IoStatus status, const IoMessage& message, const fs::path& file) 
     case IoStatus::Failed:
       return false;
     case IoStatus::NoFormat:
-      failInput("{}: OpenImageIO here lacks the format ({}); install its full package",
-                file.string(), message.text);
+      failInput(
+          "{}: the image module here lacks the format ({}); use PNG, or a build with "
+          "MACULA_IMAGE_IO=ON",
+          file.string(), message.text);
     case IoStatus::OutOfMemory:
       throw std::bad_alloc();
     case IoStatus::Fault:
@@ -118,3 +131,7 @@ void writeExr(const fs::path& temporary, const fs::path& path, const ImageF& ima
 }
 
 }  // namespace macula::image::codec
+
+bool macula::image::hasExr() {
+  return codec::module().exr;
+}

@@ -148,13 +148,11 @@ IoStatus writeExr(const char* path, std::int32_t width, std::int32_t height, std
   });
 }
 
-constexpr IoModule kModule{kIoModuleVersion, open, read, close, writePng, writeExr};
+constexpr IoModule kModule{kIoModuleVersion, open, read, close, writePng, writeExr, true};
 
 }  // namespace
 }  // namespace macula::image
 
-/// The one symbol of the module; kIoModuleEntry names it.
-extern "C" __attribute__((visibility("default"))) const macula::image::IoModule*
-maculaImageIoModule() {
+const macula::image::IoModule* maculaImageIoModule() {
   return &macula::image::kModule;
 }

@@ -78,10 +78,6 @@ void codec::checkHeader(const fs::path& path, std::int64_t width, std::int64_t h
   }
 }
 
-bool hasExr() {
-  return MACULA_IMAGE_IO != 0;
-}
-
 ImageF readImage(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) failInput("{}: no such file; check the path", path.string());

@@ -29,7 +29,8 @@ struct Image8 {
   std::vector<std::uint8_t> pixels;  ///< width * height * channels
 };
 
-/// Whether this build reads and writes OpenEXR (it was built with OpenImageIO).
+/// Whether the image module reads and writes OpenEXR (it was built with OpenImageIO).
+/// @throws InputError where the module is missing
 [[nodiscard]] bool hasExr();
 
 /// Reads PNG, OpenEXR or Radiance HDR, told apart by their first bytes. Values as stored: PNG

@@ -1,6 +1,6 @@
-// The interface of the module that holds OpenImageIO: plain data and functions only. No exception,
-// allocation or C++ type crosses, so that neither side depends on how the other was compiled or on
-// which symbols the loader merges.
+// The interface of an image module (OpenImageIO's, or stb's for PNG alone): plain data and
+// functions only. No exception, allocation or C++ type crosses, so that neither side depends on how
+// the other was compiled or on which symbols the loader merges.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace macula::image {
 
 /// Changes whenever anything in this file does: a module of another build is refused.
-inline constexpr std::uint32_t kIoModuleVersion = 1;
+inline constexpr std::uint32_t kIoModuleVersion = 2;
 /// Its file, and the function of the type IoModuleEntry that it exports.
 inline constexpr const char* kIoModuleFile = "macula-image-io.so";
 inline constexpr const char* kIoModuleEntry = "maculaImageIoModule";
@@ -54,8 +54,13 @@ struct IoModule {
                        std::int32_t channels, const std::uint8_t* pixels, IoMessage* message);
   IoStatus (*writeExr)(const char* path, std::int32_t width, std::int32_t height,
                        std::int32_t channels, const float* pixels, IoMessage* message);
+  bool exr;  ///< it reads and writes EXR; without, those calls give NoFormat
 };
 
 using IoModuleEntry = const IoModule* (*)();
 
 }  // namespace macula::image
+
+/// The one symbol of a module; kIoModuleEntry names it.
+extern "C" __attribute__((visibility("default"))) const macula::image::IoModule*
+maculaImageIoModule();
