@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/core/error.h"
+
 namespace macula::test {
 namespace {
 
@@ -28,6 +30,21 @@ World& world() {
   return *instance;
 }
 
+/// Where a method leaves its per-pixel ordering to the device, MACULA_TEST_SYNC chooses it: a mode
+/// that the device offers. tools/bundle/gpu-report.sh runs the tests with each.
+passes::RenderSettings withTestedSync(passes::RenderSettings settings) {
+  const char* sync = std::getenv("MACULA_TEST_SYNC");
+  if (sync == nullptr || settings.oit.sync != "auto") return settings;
+  passes::OitSettings asked = settings.oit;
+  asked.sync = sync;
+  try {
+    passes::checkCombination(asked);
+    settings.oit = asked;
+  } catch (const InputError&) {  // its fragments need no ordering
+  }
+  return settings;
+}
+
 }  // namespace
 
 void GlTest::SetUp() {
@@ -47,7 +64,7 @@ gl::DebugLog& GlTest::debugLog() {
 
 Bench::Bench(const scene::Scene& scene, const passes::RenderSettings& s, glm::ivec2 size,
              passes::DeviceContext& device, scene::DrawOrder order)
-    : settings(s),
+    : settings(withTestedSync(s)),
       gpu(scene, nullptr, order),
       renderer(settings, device),
       camera(scene.cameras.front()) {

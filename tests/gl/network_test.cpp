@@ -105,7 +105,7 @@ class Probes : public NetworkOnGpu, public testing::WithParamInterface<NetworkMo
 /// weights.
 TEST_P(Probes, AreAnsweredAsByTheProgramThatTrained) {
   const std::filesystem::path file =
-      std::filesystem::path(MACULA_SOURCE_DIR) / "tests" / "golden" / "networks" /
+      dataFolder("tests") / "golden" / "networks" /
       (std::string(passes::nameOf(GetParam())) + "_probes.safetensors");
   ASSERT_TRUE(std::filesystem::exists(file))
       << file << " is missing: write it with the weights, by tools/train/train.py --probes";

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include "engine/core/error.h"
 
@@ -119,9 +121,11 @@ OitSettings learnedUtility(double kAve, int fragmentBytes) {
 }
 
 std::vector<OitSettings> sortedCases(double kAve) {
+  const char* tested = std::getenv("MACULA_TEST_SYNC");
+  const bool interlock = tested != nullptr && std::string_view(tested) == "interlock";
   std::vector<OitSettings> all;
   for (const char* method : {"kb-fixed", "kb-plus", "kb-variable", "kb-learned"}) {
-    for (const char* sync : {"ordered", "spinlock"}) {
+    for (const char* sync : {interlock ? "interlock" : "ordered", "spinlock"}) {
       for (const Tail tail : {Tail::None, Tail::Mean}) {
         for (const bool fill : {false, true}) {
           for (const Predictor importance : {Predictor::Published, Predictor::Transmittance,

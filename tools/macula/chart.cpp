@@ -155,7 +155,7 @@ void addChart(CLI::App& root) {
   CLI::App* command = root.add_subcommand(
       "chart", "Runs an experiment: errors, times and bytes of variants, as table and report");
   command->add_option("experiment", options->experiment,
-                      "A TOML file, or quick, lod, papers or learned (default quick)");
+                      "A TOML file, or quick, lod, papers, learned or gpu (default quick)");
   addOutOption(*command, options->out, options->force,
                "Folder for results.csv, results.json and report.html; finished points in it are "
                "kept")
