@@ -4,6 +4,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
+#include "passes/device_fit.h"
 #include "passes/frame_list.h"
 
 namespace macula::passes {
@@ -33,13 +34,16 @@ void FrameRenderer::showTransparency(bool shown) {
 
 void FrameRenderer::resize(glm::ivec2 outputSize) {
   const int side = std::max(outputSize.x, outputSize.y) * settings_.tonemap.ssaa;
-  if (side > device_.capabilities.maxTextureSize) {
+  const gl::Limits& limits = device_.capabilities.limits;
+  const std::int64_t most =
+      std::min({limits[gl::Limit::TextureSide], limits[gl::Limit::FramebufferWidth],
+                limits[gl::Limit::FramebufferHeight]});
+  if (side > most) {
     failInput(
         "{}x{} with {} per axis is more than this GPU's {} texels a side; lower "
         "--size or --ssaa",
         outputSize.x, outputSize.y,
-        counted(static_cast<std::uint64_t>(settings_.tonemap.ssaa), "sample"),
-        device_.capabilities.maxTextureSize);
+        counted(static_cast<std::uint64_t>(settings_.tonemap.ssaa), "sample"), most);
   }
   inputs_.outputSize = outputSize;
   settingsChanged();
@@ -91,8 +95,7 @@ void FrameRenderer::prepareForReducedRate() {
 void FrameRenderer::allocate() {
   try {
     list_.prepare(inputs_, resources_, device_.programs,
-                  {.maxStorageBlockBytes = device_.capabilities.maxStorageBlockBytes,
-                   .shareMemory = !settings_.readBack});
+                  {.limits = device_.capabilities.limits, .shareMemory = !settings_.readBack});
   } catch (...) {
     // No frame may be drawn with a pool that is larger than its memory: the next one plans again.
     prepared_ = false;
@@ -118,6 +121,7 @@ void FrameRenderer::prepare() {
   plan_.resizable = lod_.transparency;
   plan_.imageSize = inputs_.displaySize;
   resources_.setBackground(settings_.background);
+  checkDevice(list_, {settings_, inputs_, device_});
   allocate();
   prepared_ = true;
 }

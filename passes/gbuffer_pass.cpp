@@ -9,6 +9,7 @@
 namespace macula::passes {
 
 void GBufferPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.scene();
   d.depth(kDepth, frame::Access::Write);
   d.color(0, kNormal, frame::Access::Write);
   d.color(1, kBaseColor, frame::Access::Write);

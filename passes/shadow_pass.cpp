@@ -8,6 +8,7 @@
 namespace macula::passes {
 
 void ShadowPass::declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const {
+  d.scene();
   d.depth(kShadowMap, frame::Access::WritePersistent);
   d.size(kShadowMap, glm::ivec2(settings_.size));
 }

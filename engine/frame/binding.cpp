@@ -7,10 +7,16 @@ void PassDeclaration::viewport(glm::ivec2 size) {
   viewports_[step_] = size;
 }
 
+void PassDeclaration::scene(SceneUse use) {
+  if (scenes_.size() <= step_) scenes_.resize(step_ + 1, SceneUse::None);
+  scenes_[step_] = use;
+}
+
 void PassDeclaration::clear() {
   bindings_.clear();
   extents_.clear();
   viewports_.clear();
+  scenes_.clear();
   step_ = 0;
 }
 

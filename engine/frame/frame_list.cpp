@@ -141,6 +141,17 @@ std::vector<const Resource*> FrameList::neededResources(const FrameInputs& input
   return needed;
 }
 
+std::optional<Shortage> FrameList::shortage(const FrameInputs& inputs,
+                                            const gl::Limits& limits) const {
+  for (const Entry& entry : entries_) {
+    if (!entry.pass->hasWork(inputs)) continue;
+    PassDeclaration table;
+    entry.pass->declare(table, inputs);
+    if (auto found = shortageOf(entry.pass->name(), needsOf(table), limits)) return found;
+  }
+  return std::nullopt;
+}
+
 std::vector<Demand> FrameList::demands(const FrameInputs& inputs, bool shareMemory) const {
   DemandList list(inputs);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -168,7 +179,8 @@ void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
     const ProgramRecord record(programs, entry.programs);
     entry.pass->prepare(inputs, programs);
   }
-  resources.allocate(demands(inputs, rules.shareMemory), rules.maxStorageBlockBytes);
+  resources.allocate(demands(inputs, rules.shareMemory),
+                     rules.limits[gl::Limit::StorageBlockBytes]);
   for (Entry& entry : entries_) entry.slots = slotsOf(entry.table, resources);
   barriers_.setMemory(resources.memory());
   dirty_.assign(resources.slots(), true);  // the background may have changed
@@ -176,6 +188,23 @@ void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
   times_.reserve(entries_.size());
   compared_ = {};
   if (gl::isDebugContext()) checkBindings();
+}
+
+/// No program may need more than its table says, or than GL promises of a work group, which tables
+/// do not state.
+void FrameList::checkNeeds(const Entry& entry) {
+  gl::Limits stated = gl::guaranteedLimits();
+  for (const gl::LimitRow& row : gl::limitRows()) {
+    if (row.limit != gl::Limit::GroupThreads) stated[row.limit] = 0;
+  }
+  for (const Need& need : needsOf(entry.table)) stated[need.limit] = need.amount;
+  for (const GLuint program : entry.programs) {
+    if (const auto more = shortageOf(entry.pass->name(), needsOf(program), stated)) {
+      gl::reportMistake(fmt::format("pass '{}': a program needs {} {}, and its table says {}",
+                                    more->pass, more->need.amount, gl::rowOf(more->need.limit).what,
+                                    more->offered));
+    }
+  }
 }
 
 void FrameList::checkBindings() {
@@ -186,6 +215,7 @@ void FrameList::checkBindings() {
     for (const std::string& problem : compareBindings(entry.pass->name(), entry.table, programs)) {
       gl::reportMistake(problem);
     }
+    checkNeeds(entry);
     compared_.programs += programs.size();
     compared_.rows += entry.table.bindings().size();
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "engine/frame/barriers.h"
 #include "engine/frame/binding_check.h"
+#include "engine/frame/device_needs.h"
 #include "engine/frame/frame_inputs.h"
 #include "engine/frame/frame_resources.h"
 #include "engine/frame/pass.h"
@@ -35,7 +37,7 @@ struct PassReport {
 
 /// What FrameList::prepare() keeps to.
 struct AllocationRules {
-  std::int64_t maxStorageBlockBytes = 0;  ///< a larger buffer is refused with an InputError
+  gl::Limits limits;  ///< a buffer larger than a storage block is refused with an InputError
   bool shareMemory =
       true;  ///< else every resource can be read after the frame, at a price in bytes
 };
@@ -55,6 +57,10 @@ class FrameList {
   [[nodiscard]] std::vector<PassReport> report(const FrameInputs& inputs) const;
   /// What the passes that have work access. No GL.
   [[nodiscard]] std::vector<const Resource*> neededResources(const FrameInputs& inputs) const;
+
+  /// The first thing that a pass with work needs and a device does not offer. No GL.
+  [[nodiscard]] std::optional<Shortage> shortage(const FrameInputs& inputs,
+                                                 const gl::Limits& limits) const;
 
   /// Looks again at tables and work: after a change of scene, settings or size. The only place
   /// where the frame allocates. In debug contexts, reports what differs between tables and shaders.
@@ -81,6 +87,7 @@ class FrameList {
   };
   [[nodiscard]] std::vector<Demand> demands(const FrameInputs& inputs, bool shareMemory) const;
   void checkBindings();
+  static void checkNeeds(const Entry& entry);
   [[nodiscard]] std::span<Entry> framePasses() { return std::span(entries_).first(framePasses_); }
   void runPass(Entry& entry, PassContext& context);
   void refresh(Entry& entry, const PassContext& context);

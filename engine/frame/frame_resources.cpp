@@ -18,8 +18,8 @@ bool isInteger(GLenum format) {
 void checkBytes(const Demand& demand, std::int64_t maxStorageBlockBytes) {
   if (static_cast<std::int64_t>(demand.bytes) <= maxStorageBlockBytes) return;
   failInput(
-      "{} needs {} bytes, and this GPU takes {} in one buffer; lower --k-ave or "
-      "--oit-memory, or --size",
+      "{} needs {} bytes, and this GPU takes {} in one buffer (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); "
+      "lower --k-ave or --oit-memory, or --size",
       demand.resource->name, demand.bytes, maxStorageBlockBytes);
 }
 
@@ -187,6 +187,22 @@ void FrameResources::countBytes() {
   for (const gl::Buffer& block : blocks_) bytes_.total += block.bytes();
 }
 
+/// The formats of targets are GL's required ones, but which go together is for the driver to say.
+void FrameResources::refuseTargets(const std::array<std::uint32_t, kMostTargets>& colors,
+                                   std::uint32_t depth, GLenum status) const {
+  std::string names;
+  const auto add = [&](std::uint32_t slot) {
+    if (slot == kNoSlot) return;
+    names += (names.empty() ? "" : ", ") + std::string(resourceAt(slot).name);
+  };
+  for (const std::uint32_t slot : colors) add(slot);
+  add(depth);
+  failInput(
+      "this GPU does not draw to these together: {} (framebuffer status 0x{:04X}); use "
+      "another --method or driver",
+      names, status);
+}
+
 GLuint FrameResources::framebuffer(const std::array<std::uint32_t, kMostTargets>& colors,
                                    std::uint32_t depth) {
   for (const Framebuffer& made : framebuffers_) {
@@ -211,9 +227,8 @@ GLuint FrameResources::framebuffer(const std::array<std::uint32_t, kMostTargets>
     glNamedFramebufferTexture(id, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                               texture.id(), 0);
   }
-  if (glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::logic_error("the render targets of a pass do not go together");
-  }
+  const GLenum status = glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) refuseTargets(colors, depth, status);
   framebuffers_.push_back({colors, depth, std::move(owner)});
   return id;
 }

@@ -87,6 +87,7 @@ class FrameResources {
 
   /// The framebuffer with these attachments; made on first use.
   /// @param colors slots by output location, kNoSlot: none · @param depth kNoSlot: none
+  /// @throws InputError where the device does not draw to them together
   GLuint framebuffer(const std::array<std::uint32_t, kMostTargets>& colors, std::uint32_t depth);
 
   /// Replaces the first bytes of a buffer. @param bytes at most the buffer's
@@ -133,6 +134,8 @@ class FrameResources {
     std::uint32_t depth;
     gl::FramebufferId id;
   };
+  [[noreturn]] void refuseTargets(const std::array<std::uint32_t, kMostTargets>& colors,
+                                  std::uint32_t depth, GLenum status) const;
   /// @returns whether the texture is new
   bool makeTexture(Slot& slot, const Demand& demand);
   void makeBuffer(Slot& slot, const Demand& demand);

@@ -53,8 +53,7 @@ Capabilities readCapabilities() {
   }
   c.major = integer(GL_MAJOR_VERSION);
   c.minor = integer(GL_MINOR_VERSION);
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &c.maxStorageBlockBytes);
-  c.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+  c.limits = readLimits();
   c.maxSamples = integer(GL_MAX_SAMPLES);
   c.routableSamples = samplesOfAll({GL_RG32UI, GL_RGBA16F, GL_DEPTH32F_STENCIL8});
   c.fragmentShaderInterlock = epoxy_has_gl_extension("GL_ARB_fragment_shader_interlock");

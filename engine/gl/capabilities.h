@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/gl/limits.h"
+
 namespace macula::gl {
 
 /// Limits and extensions of the current context that Macula decides by.
@@ -14,8 +16,7 @@ struct Capabilities {
   std::string vendor;
   int major = 0;
   int minor = 0;
-  std::int64_t maxStorageBlockBytes = 0;  ///< GL_MAX_SHADER_STORAGE_BLOCK_SIZE
-  int maxTextureSize = 0;
+  Limits limits;
   int maxSamples = 0;
   /// Numbers of samples in which multisample integer, half-float and stencil targets all exist.
   std::vector<int> routableSamples = {};

@@ -1,6 +1,7 @@
 // A scene in GPU memory: vertices, instances, materials, textures, lights, draw lists.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -59,6 +60,10 @@ class GpuScene {
   /// World to shadow-map clip space of the shadow-casting light; identity where there is none.
   [[nodiscard]] const glm::mat4& shadowViewProjection() const { return shadowViewProjection_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// Of the storage blocks that shaders read, instances and materials.
+  [[nodiscard]] std::size_t largestBlockBytes() const {
+    return std::max(instances_.bytes(), materials_.bytes());
+  }
 
   /// Binds vertices, instances and materials for drawing.
   void bindGeometry() const;

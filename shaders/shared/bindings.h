@@ -6,22 +6,23 @@
 #define UBO_FRAME 0
 #define UBO_LIGHTS 1
 
-// Shader storage buffers
+// Shader storage buffers. Every device has 8 bindings (OpenGL 4.5, chapter 23), so buffers that no
+// pass uses together share one.
 #define SSBO_INSTANCES 0
 #define SSBO_MATERIALS 1
 #define SSBO_FRAGMENT_KEYS 2
 #define SSBO_FRAGMENT_COLORS 3
 #define SSBO_OIT_TOTALS 4
 #define SSBO_FRAGMENT_LINKS 5
+#define SSBO_STRIP_SUMS 5
+#define SSBO_NETWORK_VALUES 5
 #define SSBO_SLICES 6
-#define SSBO_STRIP_SUMS 7
-#define SSBO_OCCUPANCY 8
-#define SSBO_OIT_STATISTICS 9
-#define SSBO_LOD_TOTALS 10
-#define SSBO_LOD_TILES 11
-#define SSBO_LOD_HOLES 12
-#define SSBO_NETWORK_VALUES 13
-#define SSBO_COVERED 14
+#define SSBO_OCCUPANCY 6
+#define SSBO_OIT_STATISTICS 6
+#define SSBO_COVERED 7
+#define SSBO_LOD_TOTALS 2
+#define SSBO_LOD_TILES 3
+#define SSBO_LOD_HOLES 4
 
 // Textures of a material (one draw run each)
 #define TEX_BASE_COLOR 0

@@ -51,8 +51,7 @@ class Bindings : public GlTest {
     frame::FrameList list = makeFrameList(settings, plan, lod);
     EXPECT_THAT(list.validate(in), testing::IsEmpty());
     frame::FrameResources resources;
-    list.prepare(in, resources, device().programs,
-                 {.maxStorageBlockBytes = device().capabilities.maxStorageBlockBytes});
+    list.prepare(in, resources, device().programs, {.limits = device().capabilities.limits});
     ++frames_;
     programs_ += list.compared().programs;
     rows_ += list.compared().rows;
@@ -202,13 +201,13 @@ TEST_F(Bindings, OfAFaultyTableAreReported) {
   frame::FrameInputs in;
   in.outputSize = in.displaySize = kSize;
   frame::FrameResources resources;
-  list.prepare(in, resources, device().programs,
-               {.maxStorageBlockBytes = device().capabilities.maxStorageBlockBytes});
+  list.prepare(in, resources, device().programs, {.limits = device().capabilities.limits});
   EXPECT_THAT(
       debugLog().messages(),
       testing::UnorderedElementsAre(
           testing::HasSubstr("a shader uses hdrColor at texture unit 8, and no row binds it"),
-          testing::HasSubstr("linear colour is bound at image unit 4, and no shader uses it")));
+          testing::HasSubstr("linear colour is bound at image unit 4, and no shader uses it"),
+          testing::HasSubstr("a program needs 9 texture units, and its table says 7")));
   debugLog().clear();
 }
 

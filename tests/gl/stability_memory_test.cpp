@@ -16,14 +16,16 @@ constexpr std::uint64_t kPixels = 48 * 40;
 class Memory : public GlTest {
  protected:
   void TearDown() override {
-    device().capabilities.maxStorageBlockBytes = limit_;
+    limitBlocks(limit_);
     GlTest::TearDown();
   }
   /// Until the end of the test, buffers may hold no more.
-  void limitBlocks(std::int64_t bytes) { device().capabilities.maxStorageBlockBytes = bytes; }
+  void limitBlocks(std::int64_t bytes) {
+    device().capabilities.limits[gl::Limit::StorageBlockBytes] = bytes;
+  }
 
  private:
-  std::int64_t limit_ = device().capabilities.maxStorageBlockBytes;
+  std::int64_t limit_ = device().capabilities.limits[gl::Limit::StorageBlockBytes];
 };
 
 TEST_F(Memory, ACappedPoolCountsWhatDoesNotFit) {

@@ -45,6 +45,19 @@ void print(const std::vector<gaze::hid::TrackerInfo>& trackers) {
   }
 }
 
+void print(const gl::Limits& limits) {
+  fmt::print("limits            value, and what every OpenGL 4.5 has\n");
+  for (const gl::LimitRow& row : gl::limitRows()) {
+    fmt::print("  {:<40} {:>10} {:>10}\n", row.name, limits[row.limit], row.guaranteed);
+  }
+}
+
+nlohmann::ordered_json toJson(const gl::Limits& limits) {
+  auto values = nlohmann::ordered_json::object();
+  for (const gl::LimitRow& row : gl::limitRows()) values[std::string(row.name)] = limits[row.limit];
+  return values;
+}
+
 nlohmann::ordered_json describeGl(const Options& options) {
   const window::HeadlessContext context(platformOf(options.platform));
   const passes::DeviceContext device;
@@ -54,7 +67,8 @@ nlohmann::ordered_json describeGl(const Options& options) {
     fmt::print("context           EGL {}\nrenderer          {}\nversion           {}\n",
                context.description(), c.renderer, c.version);
     fmt::print("storage block     {} bytes\ntexture side      {} texels\nsamples           {}\n",
-               c.maxStorageBlockBytes, c.maxTextureSize, c.maxSamples);
+               c.limits[gl::Limit::StorageBlockBytes], c.limits[gl::Limit::TextureSide],
+               c.maxSamples);
     fmt::print("interlock         {}\n", c.fragmentShaderInterlock ? "yes" : "no");
     fmt::print("ordered           {} ({})\n", device.ordered.passed ? "yes" : "no",
                device.ordered.reason);
@@ -66,12 +80,15 @@ nlohmann::ordered_json describeGl(const Options& options) {
           counted(static_cast<std::uint64_t>(device.time.kRepeats[i]), "dispatch", "dispatches"),
           device.time.queryMs[i], device.time.finishMs[i]);
     }
+    print(c.limits);
   }
   return {{"context", context.description()},
           {"renderer", c.renderer},
           {"version", c.version},
-          {"max_storage_block_bytes", c.maxStorageBlockBytes},
-          {"max_texture_size", c.maxTextureSize},
+          {"max_storage_block_bytes", c.limits[gl::Limit::StorageBlockBytes]},
+          {"max_texture_size", c.limits[gl::Limit::TextureSide]},
+          {"max_samples", c.maxSamples},
+          {"limits", toJson(c.limits)},
           {"interlock", c.fragmentShaderInterlock},
           {"ordered", device.ordered.passed},
           {"sync", passes::nameOf(sync)},

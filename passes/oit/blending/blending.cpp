@@ -21,6 +21,7 @@ class BlendPass final : public OitPass {
   [[nodiscard]] std::string_view name() const override { return "oit.blend"; }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override {
+    d.scene();
     shadowMap(d, in);
     depthTarget(d);
     colorTarget(d, 0);
@@ -50,6 +51,7 @@ class WeightedPass final : public OitPass {
   [[nodiscard]] std::string_view name() const override { return "oit.weighted"; }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override {
+    d.scene();
     shadowMap(d, in);
     depthTarget(d);
     d.color(0, kWeightedColors, Access::Write);

@@ -27,6 +27,7 @@ class AtomicKeysPass final : public OitPass {
     d.update(kFragmentKeys);
     for (std::uint32_t stage = 0; stage < kStages; ++stage) {
       d.step();
+      d.scene();
       testedDepthTarget(d);
       keysRow(d, plan_, Access::ReadWrite);
     }
@@ -67,6 +68,7 @@ class CapturePass final : public OitPass {
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override {
     const Method& method = *plan_.method;
+    d.scene();
     shadowMap(d, in);
     testedDepthTarget(d);
     if (plan_.denseTail()) d.color(0, kTailSums, Access::Write);

@@ -45,6 +45,7 @@ class CountPass final : public OitPass {
   }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
+    d.scene();
     depthTarget(d);
     d.color(0, kFragmentCount, Access::Write);
     if (plan_.findsRange()) d.color(1, kDepthRange, Access::Write);
@@ -74,6 +75,7 @@ class CountColorsPass final : public OitPass {
   [[nodiscard]] bool wanted() const override { return plan_.gathersColors(); }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
+    d.scene(frame::SceneUse::LitVertices);
     depthTarget(d);
     d.color(0, kFragmentCount, Access::Write);
     d.color(1, kDepthRange, Access::Write);
@@ -112,6 +114,7 @@ class PredictPass final : public OitPass {
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
     const bool predicts = plan_.historyValid;
+    d.scene();
     depthTarget(d, !predicts);
     d.color(0, kPredictedCount, Access::Write).when(!predicts);
     d.texture(TEX_INPUT0, kFragmentCount, Access::ReadHistory).when(predicts);
@@ -147,6 +150,7 @@ class ReportCountPass final : public OitPass {
   [[nodiscard]] bool wanted() const override { return plan_.countsForReport(); }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
+    d.scene();
     depthTarget(d);
     d.color(0, kReportCount, Access::Write);
   }

@@ -37,6 +37,7 @@ class OccupancyPass final : public OitPass {
   [[nodiscard]] std::string_view name() const override { return "oit.occupancy"; }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
+    d.scene();
     depthTarget(d);
     occupancyRows(d, plan_, Access::ReadWriteHistory);
   }

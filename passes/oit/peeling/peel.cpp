@@ -45,6 +45,7 @@ class PeelPass final : public OitPass {
     d.update(kPeelLast);
 
     d.step();  // Depths
+    d.scene();
     d.depth(kPeelDepth, Access::Write);
     d.viewport(plan_.size);
     depthTexture(d, TEX_INPUT0);
@@ -54,6 +55,7 @@ class PeelPass final : public OitPass {
     d.update(kPeelIds);
 
     d.step();  // Ids
+    d.scene();
     d.depth(kPeelDepth);
     d.viewport(plan_.size);
     depthTexture(d, TEX_INPUT0);
@@ -61,6 +63,7 @@ class PeelPass final : public OitPass {
     d.image(IMG_1, kPeelIds, Access::ReadWrite);
 
     d.step();  // Colors
+    d.scene();
     d.color(0, kPeelColor, Access::Write);
     d.depth(kPeelDepth);
     d.viewport(plan_.size);

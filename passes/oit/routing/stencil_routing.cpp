@@ -130,6 +130,7 @@ class RoutedPass final : public OitPass {
     for (const frame::Resource* r : {&kRoutedKeys, &kRoutedColors, &kRoutedStencil}) {
       d.samples(*r, samples);
     }
+    d.scene();
     d.color(0, kRoutedKeys, Access::Write);
     d.color(1, kRoutedColors, Access::Write);
     d.depth(kRoutedStencil, Access::Scratch);

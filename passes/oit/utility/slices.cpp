@@ -35,6 +35,7 @@ class SlicesPass final : public OitPass {
     } else {
       depthTarget(d);
     }
+    d.scene(frame::SceneUse::LitVertices);
     d.texture(TEX_INPUT1, kDepthRange);
     d.storage(SSBO_SLICES, kSliceSums, Access::ReadWrite);
     constexpr std::size_t kSliceBytes = 16;

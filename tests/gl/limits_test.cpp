@@ -1,0 +1,187 @@
+// Devices that offer less: every limit lowered to what OpenGL 4.5 promises.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+
+#include "engine/core/error.h"
+#include "oit_cases.h"
+#include "shared/bindings.h"
+#include "shared/frame_constants.h"
+#include "shared/scene_data.h"
+
+namespace macula::test {
+namespace {
+
+using gl::Limit;
+
+constexpr glm::ivec2 kSize{48, 40};
+
+class DeviceLimits : public GlTest {
+ protected:
+  void TearDown() override {
+    limits() = own_;
+    GlTest::TearDown();
+  }
+  static gl::Limits& limits() { return device().capabilities.limits; }
+
+  /// By method: its image, or why there is none.
+  struct Outcome {
+    std::vector<float> image;
+    std::string refusal;
+  };
+  /// With spin locks where a method takes them: they need an image more.
+  Outcome draw(const passes::Method& method) const {
+    passes::OitSettings oit{.method = std::string(method.id)};
+    if (method.sorts() && !method.isRacy()) oit.sync = "spinlock";
+    try {
+      Bench bench(scene_, settingsOf(oit), kSize, device());
+      bench.draw();
+      return {bench.linear(), {}};
+    } catch (const InputError& error) {
+      return {{}, error.what()};
+    }
+  }
+  [[nodiscard]] std::map<std::string, Outcome> drawAll() const {
+    std::map<std::string, Outcome> all;
+    for (const passes::Method& method : passes::methods()) {
+      all[std::string(method.id)] = draw(method);
+    }
+    return all;
+  }
+
+ private:
+  gl::Limits own_ = limits();
+  scene::Scene scene_ = unlit(tangle(30, 3));
+};
+
+TEST_F(DeviceLimits, EachAtItsLeastIsKeptToOrNamed) {
+  const auto whole = drawAll();
+  int ran = 0;
+  int refused = 0;
+  for (const gl::LimitRow& row : gl::limitRows()) {
+    const std::int64_t own = limits()[row.limit];
+    EXPECT_GE(own, row.guaranteed) << row.name << " is less than OpenGL 4.5 promises";
+    limits()[row.limit] = row.guaranteed;
+    for (const auto& [method, outcome] : drawAll()) {
+      if (outcome.refusal.empty()) {
+        EXPECT_EQ(outcome.image, whole.at(method).image) << method << " with " << row.name;
+        ++ran;
+        continue;
+      }
+      if (outcome.refusal == whole.at(method).refusal) continue;  // with or without the limit
+      ++refused;
+      const std::string has = "(" + std::string(row.name) + "), and this GPU has " +
+                              std::to_string(row.guaranteed) + "; ";
+      EXPECT_THAT(outcome.refusal, testing::HasSubstr(has)) << method;
+      EXPECT_EQ(outcome.refusal.find('\n'), std::string::npos);
+    }
+    limits()[row.limit] = own;
+  }
+  note("frames drawn under a lowered limit", ran);
+  note("refusals", refused);
+  EXPECT_GT(ran, 0);
+  EXPECT_GT(refused, 0);
+}
+
+TEST_F(DeviceLimits, TheMethodsThatARefusalOffersRun) {
+  limits()[Limit::CombinedOutputs] = 8;
+  passes::OitSettings predicted{.method = "kb-variable", .sync = "spinlock"};
+  Bench bench(unlit(tangle(30, 3)), settingsOf(predicted), kSize, device());
+  std::string refusal;
+  try {
+    bench.draw();
+  } catch (const InputError& error) {
+    refusal = error.what();
+  }
+  ASSERT_THAT(refusal, testing::HasSubstr("pass 'oit.capture' needs 9"));
+  const std::string offer = "these run with their default options: --method ";
+  ASSERT_THAT(refusal, testing::HasSubstr(offer));
+  const std::string list = refusal.substr(refusal.find(offer) + offer.size()) + ",";
+  int offered = 0;
+  for (const passes::Method& method : passes::methods()) {
+    if (list.find(std::string(method.id) + ",") == std::string::npos) continue;
+    const passes::OitSettings oit{.method = std::string(method.id)};
+    Bench other(unlit(tangle(30, 3)), settingsOf(oit), kSize, device());
+    EXPECT_NO_THROW(other.draw()) << method.id;
+    ++offered;
+  }
+  EXPECT_GT(offered, 5);
+}
+
+TEST_F(DeviceLimits, ThatNoMethodKeepsToAreSaidToBeTheDevices) {
+  limits()[Limit::VertexStorageBlocks] = 0;
+  for (const auto& [method, outcome] : drawAll()) {
+    EXPECT_THAT(outcome.refusal,
+                testing::EndsWith("; no --method runs here; use another GPU or driver"))
+        << method;
+  }
+}
+
+TEST_F(DeviceLimits, AllAtTheirLeastButForTheVertexStage) {
+  const std::int64_t vertex = limits()[Limit::VertexStorageBlocks];
+  const auto whole = drawAll();
+  limits() = gl::guaranteedLimits();
+  limits()[Limit::VertexStorageBlocks] = vertex;
+  std::set<std::string> ran;
+  for (const auto& [method, outcome] : drawAll()) {
+    if (!outcome.refusal.empty()) continue;
+    EXPECT_EQ(outcome.image, whole.at(method).image) << method;
+    ran.insert(method);
+  }
+  for (const char* method : {"blend", "wboit", "peel", "ab-array", "ab-list", "ab-sbuffer",
+                             "kb-atomic", "kb-fixed", "kb-plus"}) {
+    EXPECT_TRUE(ran.contains(method)) << method;
+  }
+}
+
+TEST_F(DeviceLimits, ASceneOfTooManyObjectsIsRefused) {
+  limits()[Limit::StorageBlockBytes] = 100;
+  Bench bench(unlit(tangle(30, 3)), settingsOf({.method = "blend"}), kSize, device());
+  try {
+    bench.draw();
+    FAIL() << "drawn";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"));
+  }
+}
+
+TEST_F(DeviceLimits, ThatNoTableStatesAreKeptEverywhere) {
+  const auto most = static_cast<std::size_t>(gl::rowOf(Limit::UniformBlockBytes).guaranteed);
+  EXPECT_LE(sizeof(shader::FrameConstants), most);
+  EXPECT_LE(sizeof(shader::LightBlock), most);
+  EXPECT_LT(std::max(UBO_FRAME, UBO_LIGHTS), gl::rowOf(Limit::UniformBindings).guaranteed);
+  if (!device().capabilities.renderer.starts_with("llvmpipe")) GTEST_SKIP() << "offers more";
+  // Work groups: what links where no more is offered fits everywhere.
+  for (const Limit limit : {Limit::GroupThreads, Limit::GroupBytes}) {
+    EXPECT_EQ(limits()[limit], gl::rowOf(limit).guaranteed);
+  }
+}
+
+constexpr frame::Resource kPlain{"plain colour", GL_RGBA8, frame::SizeRule::Display,
+                                 frame::ByteClass::Other, frame::Initial::Undefined};
+constexpr frame::Resource kSampled{"sampled colour", GL_RGBA8, frame::SizeRule::DisplaySamples,
+                                   frame::ByteClass::Other, frame::Initial::Undefined};
+
+TEST_F(DeviceLimits, TargetsThatTheDriverRefusesAreNamed) {
+  frame::FrameResources resources;
+  std::array<frame::Demand, 2> demands;
+  demands[0].resource = &kPlain;
+  demands[1].resource = &kSampled;
+  demands[1].samples = 4;
+  for (frame::Demand& demand : demands) demand.size = kSize;
+  resources.allocate(demands, limits()[Limit::StorageBlockBytes]);
+  std::array<std::uint32_t, frame::FrameResources::kMostTargets> colors{};
+  colors.fill(frame::FrameResources::kNoSlot);
+  colors[0] = resources.slotOf(kPlain);
+  colors[1] = resources.slotOf(kSampled);
+  try {
+    (void)resources.framebuffer(colors, frame::FrameResources::kNoSlot);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("plain colour, sampled colour"));
+  }
+}
+
+}  // namespace
+}  // namespace macula::test
