@@ -1,6 +1,8 @@
 // The device context: what was measured of this device once, before the first frame.
 #pragma once
 
+#include <utility>
+
 #include "engine/core/file.h"
 #include "engine/gl/capabilities.h"
 #include "engine/gl/program.h"
@@ -16,11 +18,19 @@ struct DeviceContext {
   gl::TimeSourceCheck time;
   OrderedCheck ordered;
 
-  DeviceContext()
+  DeviceContext() : DeviceContext(userBinaries()) {}
+  /// @param binaries of programs that were linked before
+  explicit DeviceContext(gl::ProgramBinaries binaries)
       : capabilities(gl::readCapabilities()),
-        programs(dataFolder("shaders")),
+        programs(dataFolder("shaders"), std::move(binaries)),
         time(gl::checkTimeSource(programs)),
         ordered(checkOrdered(capabilities, programs)) {}
+
+ private:
+  static gl::ProgramBinaries userBinaries() {
+    const auto folder = gl::programBinaryFolder();
+    return folder ? gl::ProgramBinaries(*folder) : gl::ProgramBinaries();
+  }
 };
 
 }  // namespace macula::passes

@@ -171,6 +171,7 @@ std::vector<Demand> FrameList::demands(const FrameInputs& inputs, bool shareMemo
 
 void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
                         gl::ProgramCache& programs, const AllocationRules& rules) {
+  gl::ProgramCache::Batch batch(programs);
   for (Entry& entry : entries_) {
     entry.table.clear();
     entry.runs = entry.pass->hasWork(inputs);
@@ -179,6 +180,7 @@ void FrameList::prepare(const FrameInputs& inputs, FrameResources& resources,
     const ProgramRecord record(programs, entry.programs);
     entry.pass->prepare(inputs, programs);
   }
+  batch.finish();
   resources.allocate(demands(inputs, rules.shareMemory),
                      rules.limits[gl::Limit::StorageBlockBytes]);
   for (Entry& entry : entries_) entry.slots = slotsOf(entry.table, resources);

@@ -27,7 +27,8 @@ class Pass {
   /// One clause that says why it has work or has none, for `macula scene info`.
   [[nodiscard]] virtual std::string reason(const FrameInputs& in) const = 0;
   /// Makes what execute() will use, programs above all. Called after a change of scene, settings or
-  /// size for the passes that have work; the first function that may call GL.
+  /// size for the passes that have work; the first function that may call GL. Programs are named
+  /// here and linked, all together, when the passes are prepared.
   virtual void prepare(const FrameInputs& in, gl::ProgramCache& programs) = 0;
   /// The work of one frame, with the rows of step 0 bound. Allocates nothing.
   virtual void execute(PassContext& context) = 0;

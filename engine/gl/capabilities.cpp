@@ -41,6 +41,11 @@ std::vector<int> samplesOfAll(std::initializer_list<GLenum> formats) {
 
 }  // namespace
 
+bool compilesInParallel() {
+  return epoxy_has_gl_extension("GL_KHR_parallel_shader_compile") ||
+         epoxy_has_gl_extension("GL_ARB_parallel_shader_compile");
+}
+
 Capabilities readCapabilities() {
   constexpr int kNeededVersion = 45;
   Capabilities c;
@@ -57,6 +62,7 @@ Capabilities readCapabilities() {
   c.maxSamples = integer(GL_MAX_SAMPLES);
   c.routableSamples = samplesOfAll({GL_RG32UI, GL_RGBA16F, GL_DEPTH32F_STENCIL8});
   c.fragmentShaderInterlock = epoxy_has_gl_extension("GL_ARB_fragment_shader_interlock");
+  c.parallelCompile = compilesInParallel();
   c.timerQuery = true;  // core since 3.3; whether it tells the truth is for the time-source check
   if (c.renderer.starts_with("llvmpipe")) {
     constexpr std::uint32_t kLlvmpipeLoopIterations = 65535;

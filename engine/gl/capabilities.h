@@ -21,6 +21,7 @@ struct Capabilities {
   /// Numbers of samples in which multisample integer, half-float and stencil targets all exist.
   std::vector<int> routableSamples = {};
   bool fragmentShaderInterlock = false;  ///< GL_ARB_fragment_shader_interlock
+  bool parallelCompile = false;          ///< GL_KHR_parallel_shader_compile, or ARB
   bool timerQuery = false;
   /// Rasterisers known to draw a pixel's fragments in order on one thread; still to be confirmed by
   /// the synchronisation self-test.
@@ -29,6 +30,9 @@ struct Capabilities {
   /// llvmpipe stops at 65,535 in all (LP_MAX_TGSI_LOOP_ITERATIONS).
   std::uint32_t maxLoopIterations = 0;
 };
+
+/// Whether the driver compiles programs aside and says when one is ready.
+[[nodiscard]] bool compilesInParallel();
 
 /// @throws InputError where the context is below OpenGL 4.5, naming what it offers.
 [[nodiscard]] Capabilities readCapabilities();

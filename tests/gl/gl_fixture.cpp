@@ -12,6 +12,8 @@ namespace {
 
 /// Made on first use and kept for the program: contexts and compiled shaders are expensive.
 struct World {
+  /// Tests compile what they test, and leave the user's cache alone.
+  int noCache = setenv("MACULA_SHADER_CACHE", "off", 1);
   window::HeadlessContext context{window::EglPlatform::Auto, true};
   gl::DebugLog log;
   passes::DeviceContext device;

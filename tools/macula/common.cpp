@@ -181,6 +181,26 @@ void ProgressBar::advance() {
   std::fflush(stderr);
 }
 
+gl::ProgramCache::Progress compileProgress() {
+  struct State {
+    double begin = 0.0;
+    std::size_t shown = 0;
+    std::optional<ProgressBar> bar;
+  };
+  return [state = std::make_shared<State>()](std::size_t done, std::size_t total) {
+    constexpr double kNoticedSeconds = 0.5;
+    if (done == 1) state->begin = steadySeconds();
+    const bool last = done == total;
+    if (!state->bar && !last && steadySeconds() - state->begin > kNoticedSeconds) {
+      state->bar.emplace("compiling", static_cast<int>(total));
+      state->shown = 0;
+    }
+    if (!state->bar) return;
+    for (; state->shown < done; ++state->shown) state->bar->advance();
+    if (last) state->bar.reset();
+  };
+}
+
 bool playFrames(recording::FrameSource& frames, ProgressBar& progress,
                 const std::function<void(const recording::Frame&)>& draw) {
   while (const recording::Frame* frame = frames.next()) {

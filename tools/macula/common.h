@@ -11,6 +11,7 @@
 #include <string>
 
 #include "engine/core/progress.h"
+#include "engine/gl/program.h"
 #include "engine/recording/frame_source.h"
 #include "engine/scene/camera_path.h"
 #include "engine/scene/environment.h"
@@ -103,6 +104,9 @@ class ProgressBar {
   bool ended_ = false;
   ProgressLines lines_;
 };
+
+/// A bar for programs that are compiled; nothing while that is too short to be noticed.
+[[nodiscard]] gl::ProgramCache::Progress compileProgress();
 
 /// Draws frame after frame until the last, or until the user interrupts.
 /// @returns false where the user did

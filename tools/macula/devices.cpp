@@ -58,6 +58,14 @@ nlohmann::ordered_json toJson(const gl::Limits& limits) {
   return values;
 }
 
+/// Where linked programs are kept, or why they are not.
+std::string cacheOf(const passes::DeviceContext& device) {
+  const auto folder = gl::programBinaryFolder();
+  if (!folder) return "off";
+  return device.programs.binaries().active() ? folder->string()
+                                             : "none: the driver has no binaries";
+}
+
 nlohmann::ordered_json describeGl(const Options& options) {
   const window::HeadlessContext context(platformOf(options.platform));
   const passes::DeviceContext device;
@@ -70,6 +78,8 @@ nlohmann::ordered_json describeGl(const Options& options) {
                c.limits[gl::Limit::StorageBlockBytes], c.limits[gl::Limit::TextureSide],
                c.maxSamples);
     fmt::print("interlock         {}\n", c.fragmentShaderInterlock ? "yes" : "no");
+    fmt::print("parallel compile  {}\nshader cache      {}\n", c.parallelCompile ? "yes" : "no",
+               cacheOf(device));
     fmt::print("ordered           {} ({})\n", device.ordered.passed ? "yes" : "no",
                device.ordered.reason);
     fmt::print("synchronisation   {}\ntime source       {}\n", passes::nameOf(sync),
@@ -90,6 +100,8 @@ nlohmann::ordered_json describeGl(const Options& options) {
           {"max_samples", c.maxSamples},
           {"limits", toJson(c.limits)},
           {"interlock", c.fragmentShaderInterlock},
+          {"parallel_compile", c.parallelCompile},
+          {"shader_cache", cacheOf(device)},
           {"ordered", device.ordered.passed},
           {"sync", passes::nameOf(sync)},
           {"time_source",

@@ -42,7 +42,9 @@ struct Stage {
   recording::FrameSource& frames;
 
   Stage(const LoadedScene& loaded, recording::FrameSource& source)
-      : gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr), frames(source) {}
+      : gpu(loaded.scene, loaded.environment ? &*loaded.environment : nullptr), frames(source) {
+    device.programs.onProgress(compileProgress());
+  }
 };
 
 int loadAt(const std::vector<LoadStep>& steps, std::size_t frame) {

@@ -86,6 +86,7 @@ Replay::Replay(ReplayOptions& options, ReplayInput& input, OutputFolder& output,
       output_(output),
       begin_(begin),
       context_(platformOf(options.platform)) {
+  device_.programs.onProgress(compileProgress());
   options.settings.tonemap.linearOut = options.reference || options.images == "exr";
   apply(input.settings());
   loadScene(input.scene(), input.frames().first());

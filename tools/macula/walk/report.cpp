@@ -88,6 +88,8 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   ordered_json json{{"schema", 1},
                     {"frames", report.frames},
                     {"loading_frames", report.loadingFrames},
+                    {"first_image_ms", nullptr},
+                    {"first_frame_ms", nullptr},
                     {"frame", report.events.index},
                     {"frames_per_second", nullptr},
                     {"scene", report.events.scene},
@@ -105,6 +107,8 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
   const measure::FrameRecord record = recordOf(report.renderer, report.result);
   json.update(metricsOf(record));
   for (const auto& [name, ms] : record.passMs) json["ms"][name] = ms;
+  if (report.firstImageMs) json["first_image_ms"] = *report.firstImageMs;
+  if (report.firstFrameMs) json["first_frame_ms"] = *report.firstFrameMs;
   if (report.framesPerSecond) json["frames_per_second"] = *report.framesPerSecond;
   json["control"] = controlOf(report);
   json["second"] = secondOf(report.second);

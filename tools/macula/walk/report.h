@@ -35,9 +35,11 @@ struct WalkReport {
   std::optional<int> searchHits;
   std::string message;  ///< the last one that was shown
   std::string commandLine;
-  int frames = 0;         ///< drawn while nothing was loading or being measured
-  int loadingFrames = 0;  ///< drawn while a scene was loading
-  bool playing = false;   ///< a camera path
+  int frames = 0;                      ///< drawn while nothing was loading or being measured
+  int loadingFrames = 0;               ///< drawn while a scene was loading
+  std::optional<double> firstImageMs;  ///< from the window to something of the scene
+  std::optional<double> firstFrameMs;  ///< from the window to the first whole frame
+  bool playing = false;                ///< a camera path
   const FrameControl& control;
   std::optional<double> framesPerSecond;  ///< from present to present
 };

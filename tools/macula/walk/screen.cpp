@@ -36,6 +36,14 @@ void Screen::clear(glm::vec3 color) const {
   glClearNamedFramebufferfv(0, GL_COLOR, 0, values);
 }
 
+void Screen::fill(const PixelRect& rect, glm::vec3 color) const {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.low.x, rect.low.y, rect.size.x, rect.size.y);
+  const GLfloat values[] = {color.r, color.g, color.b, 1.0F};
+  glClearNamedFramebufferfv(0, GL_COLOR, 0, values);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 void Screen::show(const gl::Texture& image, const PixelRect& part, glm::ivec2 place) const {
   // Attached again each time: after a resize another texture may bear the same name.
   glNamedFramebufferTexture(source_.id(), GL_COLOR_ATTACHMENT0, image.id(), 0);

@@ -20,6 +20,8 @@ class Screen {
   Screen();
   /// Fills the default framebuffer with one colour.
   void clear(glm::vec3 color) const;
+  /// Fills a rectangle of it.
+  void fill(const PixelRect& rect, glm::vec3 color) const;
   /// Copies part of an image to a place of the default framebuffer, without scaling. Both have
   /// their first row at the bottom.
   void show(const gl::Texture& image, const PixelRect& part, glm::ivec2 place) const;

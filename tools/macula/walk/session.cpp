@@ -105,6 +105,10 @@ void WalkSession::loadingFrame() {
   constexpr int kFramesUntilSeen = 2;
   if (!device_ && loadingFrames_ >= kFramesUntilSeen) {
     device_ = std::make_unique<passes::DeviceContext>();
+    firstImage_ = std::make_unique<FirstImage>(screen_, [this] {
+      window_.swap();
+      if (!firstImageMs_) firstImageMs_ = 1e3 * secondsBetween(begin_, Clock::now());
+    });
     renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *device_);
     second_ = std::make_unique<SecondView>(options_.settings, *device_);
     control_ = std::make_unique<FrameControl>(options_.control, options_.settings, device_->time);
@@ -117,6 +121,7 @@ void WalkSession::frame() {
   const Clock::time_point begin = Clock::now();
   prepareEvents(begin);
   draw();
+  if (!firstFrameMs_) firstFrameMs_ = 1e3 * secondsBetween(begin_, Clock::now());
   if (recorder_) record();
   compose();
   takeStills();
@@ -223,6 +228,8 @@ void WalkSession::finish() {
       .commandLine = commandLine(),
       .frames = frames_,
       .loadingFrames = loadingFrames_,
+      .firstImageMs = firstImageMs_,
+      .firstFrameMs = firstFrameMs_,
       .playing = camera_.playing(),
       .control = *control_,
       .framesPerSecond = rate_.perSecond(),

@@ -20,6 +20,7 @@
 #include "passes/frame_renderer.h"
 #include "walk/camera_control.h"
 #include "walk/error_check.h"
+#include "walk/first_image.h"
 #include "walk/frame_events.h"
 #include "walk/gaze_control.h"
 #include "walk/legend_overlay.h"
@@ -126,6 +127,7 @@ class WalkSession {
   std::unique_ptr<passes::DeviceContext> device_;
   std::unique_ptr<passes::FrameRenderer> renderer_;
   std::unique_ptr<SecondView> second_;
+  std::unique_ptr<FirstImage> firstImage_;  ///< until the first frame was drawn
   std::unique_ptr<FrameControl> control_;
   ShownScene scene_;
   ShownScene sceneBefore_;  ///< until the new one was drawn once
@@ -158,7 +160,9 @@ class WalkSession {
   int frames_ = 0;          ///< without those that waited for a thread
   int loadingFrames_ = 0;   ///< drawn while a scene was loading
   std::string guessedLog_;  ///< a file that was opened as a gaze log because it is nothing else
-  bool firstGaze_ = true;   ///< the source of the options has not been opened yet
+  std::optional<double> firstImageMs_;  ///< since the walk began: something of the scene was shown
+  std::optional<double> firstFrameMs_;  ///< all of it was
+  bool firstGaze_ = true;               ///< the source of the options has not been opened yet
   bool looking_ = false;
   bool pointerSeen_ = false;
 };

@@ -26,6 +26,12 @@ void WalkSession::draw() {
   control_->resized(axis * events_.pictureSize);
   if (events_.sceneChanged) control_->restart();
   control_->steer(*renderer_);
+  if (firstImage_) {
+    device_->programs.onProgress([this](std::size_t done, std::size_t total) {
+      firstImage_->showProgress(done, total, size_);
+    });
+    firstImage_->show(options_.settings, *device_, *scene_.gpu, events_);
+  }
   for (;;) {
     try {
       drawFirst();
@@ -34,6 +40,8 @@ void WalkSession::draw() {
       if (!takeBack(error)) throw;
     }
   }
+  device_->programs.onProgress({});
+  firstImage_.reset();
   change_.reset();
   sceneBefore_ = {};
   cameraBefore_.reset();

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Time from the start of `macula replay` to its first frame, without and with the cache of programs.
+
+  tools/first_frame.py build/release/macula [--rounds 5] [--scene gallery] [--size 512x512]
+
+Runs in turn: `off`, without a cache; `empty`, which fills one; `filled`, which finds all programs. Prints
+the median, the least and the most of each in ms, and their ratios to `off` in the same round. The driver is
+what the environment chooses. Drivers have caches of their own, which would hide what ours does: Mesa's is
+kept in a folder that is emptied before each run. The images of all runs must be equal.
+"""
+import argparse
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+
+WAYS = ("off", "empty", "filled")
+
+
+def first_frame(program, options, cache, folder):
+    """@returns ms, and the hash of the image"""
+    driver = os.path.join(folder, "driver")
+    shutil.rmtree(driver, ignore_errors=True)
+    environment = {**os.environ, "MACULA_SHADER_CACHE": cache, "MESA_SHADER_CACHE_DIR": driver}
+    out = os.path.join(folder, "out")
+    subprocess.run([program, "replay", options.scene, "--method", options.method, "--size", options.size,
+                    "--frames", "1", "--warmup", "0", "--out", out], env=environment, check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(os.path.join(out, "report.json"), encoding="utf-8") as file:
+        report = json.load(file)
+    return report["summary"]["first_frame_ms"], report["frames"][0]["image_sha256"], report["gl"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--scene", default="gallery")
+    parser.add_argument("--method", default="kb-variable")
+    parser.add_argument("--size", default="512x512")
+    options = parser.parse_args()
+    program = os.path.abspath(options.program)
+    times = {way: [] for way in WAYS}
+    images = set()
+    with tempfile.TemporaryDirectory() as folder:
+        cache = os.path.join(folder, "programs")
+        for _ in range(options.rounds):
+            shutil.rmtree(cache, ignore_errors=True)
+            for way in WAYS:
+                ms, image, device = first_frame(program, options, "off" if way == "off" else cache, folder)
+                times[way].append(ms)
+                images.add(image)
+        files = [entry.stat().st_size for entry in os.scandir(cache)] if os.path.isdir(cache) else []
+    print(f"{device['renderer']}, {device['version']}: {options.scene}, {options.method}, {options.size}, "
+          f"n = {options.rounds}, {len(files)} programs of {sum(files) // 1024} KiB")
+    for way in WAYS:
+        ratios = [ms / off for ms, off in zip(times[way], times["off"])]
+        print(f"{way:7} {statistics.median(times[way]):8.0f} ms ({min(times[way]):.0f} to {max(times[way]):.0f}), "
+              f"{statistics.median(ratios):.2f} of off ({min(ratios):.2f} to {max(ratios):.2f})")
+    if len(images) != 1:
+        sys.exit("the images differ")
+
+
+if __name__ == "__main__":
+    main()
