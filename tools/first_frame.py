@@ -4,13 +4,15 @@
   tools/first_frame.py build/release/macula [--rounds 5] [--scene gallery] [--size 512x512]
 
 Runs in turn: `off`, without a cache; `empty`, which fills one; `filled`, which finds all programs. Prints
-the median, the least and the most of each in ms, and their ratios to `off` in the same round. The driver is
-what the environment chooses. Drivers have caches of their own, which would hide what ours does: Mesa's is
+the median, the least and the most of each in ms, and their ratios to `off` in the same round; and the same
+of the processor time of the whole run, which other work on the machine disturbs less. The driver is what the
+environment chooses. Drivers have caches of their own, which would hide what ours does: Mesa's is
 kept in a folder that is emptied before each run. The images of all runs must be equal.
 """
 import argparse
 import json
 import os
+import resource
 import shutil
 import statistics
 import subprocess
@@ -21,17 +23,28 @@ WAYS = ("off", "empty", "filled")
 
 
 def first_frame(program, options, cache, folder):
-    """@returns ms, and the hash of the image"""
+    """@returns ms to the first frame, ms of the processor, the hash of the image, the device"""
     driver = os.path.join(folder, "driver")
     shutil.rmtree(driver, ignore_errors=True)
     environment = {**os.environ, "MACULA_SHADER_CACHE": cache, "MESA_SHADER_CACHE_DIR": driver}
     out = os.path.join(folder, "out")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([program, "replay", options.scene, "--method", options.method, "--size", options.size,
                     "--frames", "1", "--warmup", "0", "--out", out], env=environment, check=True,
                    stdout=subprocess.DEVNULL)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
     with open(os.path.join(out, "report.json"), encoding="utf-8") as file:
         report = json.load(file)
-    return report["summary"]["first_frame_ms"], report["frames"][0]["image_sha256"], report["gl"]
+    return report["summary"]["first_frame_ms"], 1e3 * cpu, report["frames"][0]["image_sha256"], report["gl"]
+
+
+def table(title, times):
+    for way in WAYS:
+        ratios = [ms / off for ms, off in zip(times[way], times["off"])]
+        print(f"{title} {way:7} {statistics.median(times[way]):8.0f} ms ({min(times[way]):.0f} to "
+              f"{max(times[way]):.0f}), {statistics.median(ratios):.2f} of off ({min(ratios):.2f} to "
+              f"{max(ratios):.2f})")
 
 
 def main():
@@ -44,22 +57,23 @@ def main():
     options = parser.parse_args()
     program = os.path.abspath(options.program)
     times = {way: [] for way in WAYS}
+    processor = {way: [] for way in WAYS}
     images = set()
     with tempfile.TemporaryDirectory() as folder:
         cache = os.path.join(folder, "programs")
         for _ in range(options.rounds):
             shutil.rmtree(cache, ignore_errors=True)
             for way in WAYS:
-                ms, image, device = first_frame(program, options, "off" if way == "off" else cache, folder)
+                used = "off" if way == "off" else cache
+                ms, cpu, image, device = first_frame(program, options, used, folder)
                 times[way].append(ms)
+                processor[way].append(cpu)
                 images.add(image)
         files = [entry.stat().st_size for entry in os.scandir(cache)] if os.path.isdir(cache) else []
     print(f"{device['renderer']}, {device['version']}: {options.scene}, {options.method}, {options.size}, "
           f"n = {options.rounds}, {len(files)} programs of {sum(files) // 1024} KiB")
-    for way in WAYS:
-        ratios = [ms / off for ms, off in zip(times[way], times["off"])]
-        print(f"{way:7} {statistics.median(times[way]):8.0f} ms ({min(times[way]):.0f} to {max(times[way]):.0f}), "
-              f"{statistics.median(ratios):.2f} of off ({min(ratios):.2f} to {max(ratios):.2f})")
+    table("first frame", times)
+    table("processor  ", processor)
     if len(images) != 1:
         sys.exit("the images differ")
 

@@ -77,6 +77,12 @@ void planBudgetLayers(OitPlan& plan, const PlanInputs& in) {
 
 void planBudgetSamples(OitPlan& plan, const PlanInputs& in) {
   planBudgetLayers(plan, in);
+  if (in.device.routableSamples.empty()) {
+    failInput(
+        "{} keeps a fragment in each sample, and {} has no multisample targets of integers "
+        "(GL_MAX_INTEGER_SAMPLES); use kb-fixed",
+        plan.method->id, in.device.renderer);
+  }
   // Bytes are promised, so only numbers of samples that the GPU really makes are used.
   int best = 0;
   int least = 0;

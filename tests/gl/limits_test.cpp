@@ -21,6 +21,7 @@ class DeviceLimits : public GlTest {
  protected:
   void TearDown() override {
     limits() = own_;
+    device().capabilities.routableSamples = ownSamples_;
     GlTest::TearDown();
   }
   static gl::Limits& limits() { return device().capabilities.limits; }
@@ -49,6 +50,8 @@ class DeviceLimits : public GlTest {
     }
     return all;
   }
+
+  std::vector<int> ownSamples_ = device().capabilities.routableSamples;
 
  private:
   gl::Limits own_ = limits();
@@ -133,6 +136,18 @@ TEST_F(DeviceLimits, AllAtTheirLeastButForTheVertexStage) {
                              "kb-atomic", "kb-fixed", "kb-plus"}) {
     EXPECT_TRUE(ran.contains(method)) << method;
   }
+}
+
+TEST_F(DeviceLimits, OfSamplesAreKeptToOrNamed) {
+  const passes::Method& routed = passes::methodById("kb-stencil");
+  const std::string whole = draw(routed).refusal;  // this driver may not route at all
+  // OpenGL 4.5 promises one sample of integers, or none.
+  device().capabilities.routableSamples = {};
+  EXPECT_THAT(draw(routed).refusal, testing::HasSubstr("(GL_MAX_INTEGER_SAMPLES); use kb-fixed"));
+  device().capabilities.routableSamples = {16};
+  EXPECT_THAT(draw(routed).refusal, testing::HasSubstr("16 samples a pixel at the least"));
+  device().capabilities.routableSamples = ownSamples_;
+  EXPECT_EQ(draw(routed).refusal, whole);
 }
 
 TEST_F(DeviceLimits, ASceneOfTooManyObjectsIsRefused) {
