@@ -6,6 +6,7 @@
 #include "engine/core/plural.h"
 #include "passes/device_fit.h"
 #include "passes/frame_list.h"
+#include "passes/oit/slots.h"
 
 namespace macula::passes {
 
@@ -14,7 +15,7 @@ FrameRenderer::FrameRenderer(const RenderSettings& settings, DeviceContext& devi
       device_(device),
       plan_{.method = &methodById(settings.oit.method)},
       list_(makeFrameList(settings, plan_, lod_)),
-      timer_(device.time.source) {
+      numbers_(device.time.source) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -52,6 +53,7 @@ void FrameRenderer::resize(glm::ivec2 outputSize) {
 void FrameRenderer::settingsChanged() {
   prepared_ = false;
   history_.usable = false;
+  forgetNumbers();
   ++steps_.resets;
 }
 
@@ -80,7 +82,19 @@ void FrameRenderer::restart() {
   mayReduce_ = false;
   prepared_ = false;
   unfinished_ = false;
+  forgetNumbers();
   ++steps_.restarts;
+}
+
+void FrameRenderer::forgetNumbers() {
+  numbers_.drop();
+  lastSlot_ = FrameNumbers::kNoSlot;
+  askedSlots_ = 0;
+}
+
+void FrameRenderer::enlargePool(std::uint32_t asked) {
+  growPool(plan_, asked);
+  allocate();
 }
 
 void FrameRenderer::prepareForReducedRate() {
@@ -105,6 +119,7 @@ void FrameRenderer::allocate() {
 }
 
 void FrameRenderer::prepare() {
+  forgetNumbers();  // those on their way are of other passes
   inputs_.displaySize = inputs_.outputSize * settings_.tonemap.ssaa;
   const auto samples = static_cast<std::uint64_t>(inputs_.displaySize.x) *
                        static_cast<std::uint64_t>(inputs_.displaySize.y);

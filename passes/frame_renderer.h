@@ -13,11 +13,11 @@
 #include "engine/scene/gpu_scene.h"
 #include "passes/device_context.h"
 #include "passes/frame_constants.h"
+#include "passes/frame_numbers.h"
 #include "passes/frame_result.h"
 #include "passes/lod/plan.h"
 #include "passes/oit/plan.h"
 #include "passes/render_settings.h"
-#include "shared/oit_totals.h"
 
 namespace macula::passes {
 
@@ -47,6 +47,11 @@ class FrameRenderer {
   /// renderer of the same scene and size. Until then there is no image to read.
   void restart();
 
+  /// What is asked for beside the images of the following frames; all of it at first.
+  void want(const Wanted& wanted) { wanted_ = wanted; }
+
+  /// Draws a frame and waits for its numbers. Two renderers to which the same is done give the same
+  /// bits. Where a pool was too small, the frame is drawn again.
   /// A frame that ends with an exception leaves nothing behind: the next one begins with restart().
   /// @param gaze its place steers importance; a radius beyond gaze::kFoveaRadius widens what counts
   ///   as looked at
@@ -58,6 +63,16 @@ class FrameRenderer {
   FrameResult render(const scene::Camera& camera, glm::vec2 gaze, bool cut = false) {
     return render(camera, gaze::exactPoint(gaze), cut);
   }
+
+  /// Draws a frame and waits for nothing: its numbers come later, by takeResult(). What follows
+  /// from them (N_limit, the size of a pool, the range of a heat map) follows that much later, too.
+  void draw(const scene::Camera& camera, const gaze::PointOfInterest& gaze, bool cut = false);
+  /// The numbers of the newest frame of draw() whose numbers have arrived since the last call; none
+  /// where none have. Never waits. Frames are left out where more are on their way than can be
+  /// followed, and where a larger pool, another size or other settings came between.
+  [[nodiscard]] std::optional<FrameResult> takeResult();
+  /// Waits for the numbers of the frame that was drawn last, statistics among them.
+  [[nodiscard]] FrameResult waitForResult();
 
   /// RGB8 of the last frame, rows from the top, 3 bytes a pixel: the image, without a heat map.
   /// Measurements and comparisons use it.
@@ -104,14 +119,22 @@ class FrameRenderer {
   void prepareForReducedRate();
   void prepare();
   void allocate();
+  void enlargePool(std::uint32_t asked);
+  void forgetNumbers();
   // frame_renderer_draw.cpp: one frame
   void beginFrame(const scene::Camera& camera, const gaze::PointOfInterest& gaze, bool cut);
-  [[nodiscard]] shader::OitTotals runOnce();
+  void run(gl::FrameTimer* timer);
+  void runInto(std::size_t slot);
+  void sumUp(IssuedFrame& frame);
   void leaveHistory(const scene::Camera& camera);
-  [[nodiscard]] FrameResult resultOf(const shader::OitTotals& totals);
+  // frame_renderer_result.cpp: what is told about it
+  void describe(IssuedFrame& frame) const;
+  [[nodiscard]] bool statisticsWanted() const;
+  [[nodiscard]] FrameResult resultOf(std::size_t slot);
+  void noteOverflow(IssuedFrame& frame, std::uint32_t asked);
+  void setTimes(FrameResult& result, std::size_t slot);
+  void setFragments(FrameResult& result, const IssuedFrame& frame, const FrameSums& sums);
   [[nodiscard]] bool isResizable(std::string_view pass) const;
-  [[nodiscard]] ShadingCounts shadingCounts() const;
-  [[nodiscard]] FragmentReport fragmentReport(const shader::OitTotals& totals);
 
   const RenderSettings& settings_;
   DeviceContext& device_;
@@ -121,10 +144,15 @@ class FrameRenderer {
   frame::FrameInputs inputs_;
   frame::FrameResources resources_;
   frame::FrameList list_;
-  gl::FrameTimer timer_;
+  FrameNumbers numbers_;
+  std::size_t lastSlot_ = FrameNumbers::kNoSlot;  ///< of the last frame
+  std::vector<frame::PassTime> passTimes_;        ///< of the last result
+  Wanted wanted_;
   FrameConstantBuffers constants_;
   History history_;
   std::uint32_t deepestSeen_ = 0;
+  std::uint32_t askedSlots_ = 0;  ///< of a pool that was too small for a frame of draw()
+  std::uint64_t overflows_ = 0;
   double heatmapRange_ = 1.0;  ///< of the last frame; its counts are for the next one
   int shadingLoad_ = 1;
   bool mayReduce_ = false;  ///< less than full rate was asked for since restart()

@@ -71,6 +71,11 @@ double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan) 
   return std::max(kLeast, static_cast<double>(plan.layerLimit));
 }
 
+bool rangeFollowsFrames(const HeatmapPass::Settings& settings) {
+  if (settings.map == "none" || settings.map == kRateMap) return false;
+  return settings.range <= 0.0 && !needsFactors(settings.map);
+}
+
 image::Legend legendOf(const HeatmapPass::Settings& settings, double range) {
   const Map& map = *find(settings.map);
   const bool counts = *map.source == kFragmentRange || *map.source == kFragmentCount;

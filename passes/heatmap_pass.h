@@ -48,6 +48,8 @@ class HeatmapPass final : public frame::Pass {
 /// Value of the hottest colour: counts and k by the setting, factors 1, log2 of pitches of
 /// shading 3.
 [[nodiscard]] double heatmapRange(const HeatmapPass::Settings& settings, const OitPlan& plan);
+/// Whether that value is the largest of the last frame.
+[[nodiscard]] bool rangeFollowsFrames(const HeatmapPass::Settings& settings);
 /// What the colours of a map mean, with its present range. @param settings with a map
 [[nodiscard]] image::Legend legendOf(const HeatmapPass::Settings& settings, double range);
 

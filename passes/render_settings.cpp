@@ -119,6 +119,10 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                             .unit = "samples per axis",
                             .help = "supersampling: N x N samples for each pixel"},
                            s.tonemap.ssaa, {1, 2, 4});
+  registry.add({.key = "frame.timing",
+                .help = "time of each pass; off: passes may overlap, and no times are reported",
+                .effect = settings::Effect::Immediate},
+               s.timing);
   registry.add({.key = "scene.environment",
                 .alias = "environment",
                 .help = "equirectangular .hdr or .exr for light and background",

@@ -31,6 +31,7 @@ struct RenderSettings {
   scene::LightingOverride lighting = scene::LightingOverride::Own;
   scene::TransparentOrder order = scene::TransparentOrder::File;
   std::uint32_t seed = 1;  ///< of noise and procedural scenes
+  bool timing = true;      ///< passes are timed where times are asked for
   bool readBack = false;   ///< buffers stay as the frame left them, for readers; costs memory
 };
 

@@ -53,7 +53,9 @@ void Controller::observe(const FrameTimes& times) {
   newest_ = times.frame + 1;
   workless_ = times.resizableMs && *times.resizableMs <= 0.0 ? workless_ + 1 : 0;
   intervalMs_ = times.intervalMs.value_or(0.0);
-  waitMs_ = intervalMs_ > 0.0 ? intervalMs_ - times.totalMs - times.cpuMs.value_or(0.0) : 0.0;
+  const double cpuMs = times.cpuMs.value_or(0.0);
+  const double busyMs = times.overlapped ? std::max(times.totalMs, cpuMs) : times.totalMs + cpuMs;
+  waitMs_ = intervalMs_ > 0.0 ? intervalMs_ - busyMs : 0.0;
   steps_.observe(times.frame, times.totalMs, !resizeWorks_ || atEnd(times.resize));
 }
 

@@ -26,10 +26,13 @@ struct FrameTimes {
   double totalMs = 0.0;     ///< of the GPU, all passes; 0 or less where no time came
   /// Of the passes whose work follows 1 / r^2; nothing where passes are not timed apart.
   std::optional<double> resizableMs;
-  /// Of the CPU's share of the frame; nothing where it is not measured.
+  /// That the CPU worked on the frame, without waiting for the GPU; nothing where it is not
+  /// measured.
   std::optional<double> cpuMs;
   /// From the last swap to this one; nothing without a window.
   std::optional<double> intervalMs;
+  /// The CPU works on the next frame while the GPU draws this one: their times do not add up.
+  bool overlapped = false;
 };
 
 /// Why a law does nothing at present.

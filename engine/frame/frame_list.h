@@ -22,7 +22,7 @@
 
 namespace macula::frame {
 
-/// The time of one pass of the last frame.
+/// The time of one pass of a frame.
 struct PassTime {
   std::string_view name;
   double ms = 0.0;
@@ -67,11 +67,12 @@ class FrameList {
   void prepare(const FrameInputs& inputs, FrameResources& resources, gl::ProgramCache& programs,
                const AllocationRules& rules);
   /// Runs the timed passes that have work. Allocates nothing after the first frame.
-  void run(PassContext& context, gl::FrameTimer& timer);
+  /// @param timer its frame has begun, and gets a mark behind each pass; null: passes are not timed
+  void run(PassContext& context, gl::FrameTimer* timer);
   /// Runs those of the report's passes that have work. After run(); their time is not the frame's.
   void runReport(PassContext& context);
-  /// Times of the passes that ran last, in order. Valid after run().
-  [[nodiscard]] std::span<const PassTime> times() const { return times_; }
+  /// Names of the passes that ran last, in order. They stay as long as the list.
+  [[nodiscard]] std::span<const std::string_view> ran() const { return ran_; }
   /// For readers of a finished frame, who report their accesses there.
   [[nodiscard]] BarrierTracker& barriers() { return barriers_; }
   /// What the last prepare() compared; nothing outside of debug contexts.
@@ -97,7 +98,7 @@ class FrameList {
   std::size_t framePasses_ = 0;  ///< entries of the frame
   std::vector<const Resource*> results_;
   std::vector<const Resource*> readAfterwards_;
-  std::vector<PassTime> times_;
+  std::vector<std::string_view> ran_;
   BarrierTracker barriers_;
   BindingCount compared_;
   std::vector<bool> dirty_;    ///< by slot: its memory was written since its last clear

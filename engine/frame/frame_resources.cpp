@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/gl/blocking.h"
 
 namespace macula::frame {
 namespace {
@@ -276,9 +277,7 @@ void FrameResources::clear(std::uint32_t slot) const {
 
 void FrameResources::read(const Resource& r, GLenum format, GLenum type, std::size_t bytes,
                           void* texels) const {
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(textureFor(r, GL_TEXTURE_UPDATE_BARRIER_BIT).id(), 0, format, type,
-                    static_cast<GLsizei>(bytes), texels);
+  gl::readTexture(textureFor(r, GL_TEXTURE_UPDATE_BARRIER_BIT).id(), {format, type}, bytes, texels);
 }
 
 const gl::Texture& FrameResources::textureFor(const Resource& r, GLbitfield use) const {

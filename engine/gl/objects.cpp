@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "engine/core/error.h"
+#include "engine/gl/blocking.h"
 
 namespace macula::gl {
 
@@ -58,8 +59,7 @@ void Buffer::upload(const void* values, std::size_t bytes, std::size_t offset) {
 void Buffer::download(void* values, std::size_t bytes, std::size_t offset) const {
   assert(offset + bytes <= bytes_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
-                          values);
+  readBuffer(id(), offset, bytes, values);
 }
 
 Texture::Texture(std::string_view name, GLenum format, int width, int height, int levels)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/core/plural.h"
+#include "engine/gl/blocking.h"
 
 namespace macula::gl {
 namespace {
@@ -34,10 +35,10 @@ void dispatch(GLuint program, GLuint groups, int times) {
 }
 
 double finishMs(GLuint program, GLuint groups, int times) {
-  glFinish();
+  finish();
   const auto begin = Clock::now();
   dispatch(program, groups, times);
-  glFinish();
+  finish();
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
@@ -48,9 +49,7 @@ double queryMs(GLuint program, GLuint groups, int times) {
   glBeginQuery(GL_TIME_ELAPSED, id);
   dispatch(program, groups, times);
   glEndQuery(GL_TIME_ELAPSED);
-  GLuint64 nanoseconds = 0;
-  glGetQueryObjectui64v(id, GL_QUERY_RESULT, &nanoseconds);
-  return static_cast<double>(nanoseconds) * 1e-6;
+  return static_cast<double>(queryResult(id)) * 1e-6;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace macula::measure {
 
 inline constexpr std::string_view kGazeSource = "point of interest of the frame";
 inline constexpr std::string_view kTimerSource = "timers of the passes";
+inline constexpr std::string_view kNoTimes = "`frame.timing` is off";
 inline constexpr std::string_view kCountSource = "counted after the frame, outside of its time";
 inline constexpr std::string_view kTotalsSource = "counters of the frame's own passes";
 inline constexpr std::string_view kBytesSource = "sizes of the allocated textures and buffers";
@@ -83,17 +84,20 @@ inline constexpr auto kMetrics = std::to_array<Metric>({
     {.name = "ms.transparency", .title = "transparency", .unit = "ms", .better = Better::Lower,
      .places = kPoint | kColumn | kPage, .spread = true,
      .meaning = "Sum of the passes whose names start with `oit.`.",
-     .source = kTimerSource},
+     .source = kTimerSource,
+     .none = kNoTimes},
     {.name = "ms.shading", .title = "shading", .unit = "ms", .better = Better::Lower,
      .places = kPoint | kColumn | kPage, .spread = true,
      .meaning = "Sum of the passes `lighting` and `lod.*`.",
-     .source = kTimerSource},
+     .source = kTimerSource,
+     .none = kNoTimes},
     {.name = "ms.total", .title = "whole frame", .unit = "ms", .better = Better::Lower,
      .summary = Summary::MedianAndP95, .places = kReport | kPoint | kColumn | kPage | kWalk,
      .inSummary = "ms", .spread = true,
-     .meaning = "Time of the frame from glFinish to glFinish, without reference, read-back or "
-                "encoding.",
-     .source = "timer of the frame"},
+     .meaning = "Time of the GPU from the begin of the frame's first pass to the end of its last, "
+                "without reference, read-back or encoding.",
+     .source = "timer of the frame",
+     .none = kNoTimes},
     {.name = "speedup", .title = "speed-up", .better = Better::Higher, .places = kColumn | kPage,
      .meaning = "`ms.total` of the study's `base` over the point's own, of the same rounds.",
      .source = "two points of one batch",
@@ -210,6 +214,12 @@ inline constexpr auto kMetrics = std::to_array<Metric>({
      .better = Better::Lower, .summary = Summary::Sum,
      .meaning = "Times that the frame was drawn again with a larger pool; their time is part of "
                 "`ms.total`.",
+     .source = "the renderer"},
+    {.name = "pool_overflows", .title = "frames short of a pool", .unit = "frames",
+     .type = ValueType::Count, .better = Better::Lower, .places = kWalk,
+     .meaning = "Frames so far that were shown although the pool was too small, so that fragments "
+                "are missing from them. A walk does not draw them again: the next frame has a "
+                "larger pool.",
      .source = "the renderer"},
     // Errors.
     {.name = "error.rmse", .title = "RMSE", .unit = kDisplayUnit, .better = Better::Lower,

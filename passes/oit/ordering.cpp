@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/gl/blocking.h"
 #include "engine/gl/objects.h"
 
 namespace macula::passes {
@@ -42,8 +43,8 @@ bool drawMatches(gl::ProgramCache& programs) {
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * kTriangles));
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   std::vector<std::uint32_t> read(static_cast<std::size_t>(kSize) * kSize);
-  glGetTextureImage(words.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                    static_cast<GLsizei>(read.size() * sizeof(std::uint32_t)), read.data());
+  gl::readTexture(words.id(), {GL_RED_INTEGER, GL_UNSIGNED_INT},
+                  read.size() * sizeof(std::uint32_t), read.data());
   const std::uint32_t expected = expectedWord();
   return std::all_of(read.begin(), read.end(), [&](std::uint32_t w) { return w == expected; });
 }

@@ -1,4 +1,4 @@
-// Composites the peeled layer behind those before it. FINISH: composites all of them over the opaque
+// Composites the peeled layer behind those before it, and empties its ids. FINISH: composites all of them over the opaque
 // image.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
@@ -15,7 +15,7 @@ layout(rgba32f, binding = IMG_2) uniform image2D sum;
 layout(binding = TEX_INPUT1) uniform sampler2D layerDepth;
 layout(binding = TEX_INPUT2) uniform sampler2D layerColor;
 layout(rg32ui, binding = IMG_0) writeonly uniform uimage2D lastKey;
-layout(r32ui, binding = IMG_1) readonly uniform uimage2D ids;
+layout(r32ui, binding = IMG_1) uniform uimage2D ids;
 #endif
 
 void main() {
@@ -31,6 +31,7 @@ void main() {
 #else
   uint id = imageLoad(ids, p).r;
   if (id == NO_KEY) return;
+  imageStore(ids, p, uvec4(NO_KEY));  // for the next layer
   vec4 layer = texelFetch(layerColor, p, 0);
   imageStore(sum, p, vec4(s.rgb + s.a * layer.rgb, s.a * (1.0 - layer.a)));
   imageStore(lastKey, p, uvec4(fragmentKey(texelFetch(layerDepth, p, 0).r, id), 0u, 0u));

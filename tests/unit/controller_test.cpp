@@ -387,5 +387,18 @@ TEST(Controller, SaysWhatHoldsTheFrameInstead) {
   EXPECT_EQ(controller.notice(), "");
 }
 
+TEST(Controller, WhatOverlapsIsNotAddedUp) {
+  const ControlSettings settings = settingsFor(20.0);
+  for (const bool overlapped : {false, true}) {
+    Controller controller(settings);
+    FrameTimes times = timesOf(0, 1.0, 8.0, 4.0);
+    times.cpuMs = 10.0;
+    times.intervalMs = 33.0;
+    times.overlapped = overlapped;
+    controller.next(&times, 1.0, kAll);
+    EXPECT_THAT(controller.notice(), HasSubstr(overlapped ? "21.0 of it" : "11.0 of it"));
+  }
+}
+
 }  // namespace
 }  // namespace macula::control

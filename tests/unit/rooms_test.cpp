@@ -158,6 +158,39 @@ TEST(Rooms, AForbiddenIncludeIsSaidWithFileAndLine) {
   EXPECT_TRUE(lines[2].starts_with("engine/core/a.cpp:5: ../gl/objects.h is not"));
 }
 
+/// Calls of OpenGL by which the CPU may wait for the GPU: one line for each, "FILE: CALL".
+std::vector<std::string> blockingCalls(const std::string& path, const std::string& text) {
+  std::vector<std::string> found;
+  for (const std::string& name :
+       matches(text, R"(\b(glFinish|glGetQuery(?:Buffer)?Object\w+|glGet(?:Named)?BufferSubData|)"
+                     R"(glGetn?(?:Compressed)?Tex\w*Image|glGetTextureSubImage|glRead\w*Pixels|)"
+                     R"(glClientWaitSync|glMap\w*Buffer\w*)\s*\()")) {
+    found.push_back(path + ": " + name);
+  }
+  return found;
+}
+
+TEST(Rooms, EveryCallThatMayWaitForTheGpuIsInOnePlace) {
+  // Where it is counted; and the mapping of a buffer that nothing uses yet.
+  const Names allowed{"engine/gl/blocking.cpp", "engine/gl/readback.cpp"};
+  Names seen;
+  for (const char* top : {"engine", "passes", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".h") continue;
+      const std::string path = fs::relative(entry.path(), kSource).generic_string();
+      const auto calls = blockingCalls(path, readTextFile(entry.path()));
+      if (!calls.empty()) seen.insert(path);
+      for (const std::string& call : calls) {
+        EXPECT_TRUE(allowed.contains(path)) << call << "; use engine/gl/blocking.h";
+      }
+    }
+  }
+  EXPECT_EQ(seen, allowed);
+  EXPECT_EQ(blockingCalls("a.cpp", "  glFinish();\n  glGetTextureImage(id, 0);\n  glFlush();\n"),
+            (std::vector<std::string>{"a.cpp: glFinish", "a.cpp: glGetTextureImage"}));
+}
+
 TEST(Rooms, EveryFolderOfTheEngineHasARow) {
   for (const auto& entry : fs::directory_iterator(kSource / "engine")) {
     if (!entry.is_directory()) continue;

@@ -66,6 +66,7 @@ Oracles::Oracles(const Contender& exact, const Stage& stage) {
   opaque.resize(stage.size);
   opaque.setScene(stage.gpu);
   opaque.showTransparency(false);
+  opaque.want({.times = false, .statistics = false});
   static_cast<void>(opaque.render(stage.camera, stage.gaze));
   const float exposure = static_cast<float>(std::exp2(settings.tonemap.exposure));
   const auto display = [curve = settings.tonemap.curve, exposure](const glm::vec3& linear) {

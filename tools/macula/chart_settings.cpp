@@ -46,6 +46,12 @@ void checkBudgets(const experiment::Experiment& experiment, const experiment::St
   }
 }
 
+void requireTimes(const VariantSettings& settings, const std::string& place) {
+  if (!settings.render.timing) {
+    failInput("{}: a chart needs the times of frames; leave frame.timing on", place);
+  }
+}
+
 /// A variant that is measured at budgets has none of its own.
 void requireNoBudget(const VariantSettings& own, const experiment::Variant& variant) {
   if (!variant.budgets) return;
@@ -116,6 +122,7 @@ void checkExperiment(const experiment::Experiment& experiment) {
     for (const toml::table* layer : study.settings) {
       settings::applyTable(shared.registry, *layer, experiment.name);
     }
+    requireTimes(shared, study.place);
     if (settings::Entry* lighting = shared.registry.find(kLightingKey)) {
       for (const std::string& light : study.lights) lighting->set(light, study.place + ": lights");
     }
@@ -123,6 +130,7 @@ void checkExperiment(const experiment::Experiment& experiment) {
   for (const experiment::Variant& variant : experiment.variants) {
     VariantSettings own;
     own.applyVariant(experiment, variant);
+    requireTimes(own, variant.place);
     requireNoLoading(own, variant);
     requireNoBudget(own, variant);
     if (!variant.sweep) continue;

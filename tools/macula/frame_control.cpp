@@ -33,15 +33,23 @@ void FrameControl::steer(passes::FrameRenderer& renderer) {
   renderer.setControls(controller_.active() ? controlsOf(values) : frame::QualityControls{});
 }
 
+void FrameControl::drawn(const passes::FrameRenderer& renderer) {
+  const std::uint64_t frame = renderer.steps().frames - 1;
+  usedResize_ = renderer.lod().resize;
+  drawn_[frame % kDrawn] = {.renderer = frame, .controller = controller_.frame() - 1};
+}
+
 void FrameControl::note(const passes::FrameResult& result, std::optional<double> cpuMs,
                         std::optional<double> intervalMs) {
-  usedResize_ = result.resizeFactor;
-  times_ = control::FrameTimes{.frame = controller_.frame() - 1,
+  const DrawnFrame& drawn = drawn_[result.frame % kDrawn];
+  if (!result.timed || drawn.renderer != result.frame) return;
+  times_ = control::FrameTimes{.frame = drawn.controller,
                                .resize = result.resizeFactor,
                                .totalMs = result.totalMs,
                                .resizableMs = result.resizableMs,
                                .cpuMs = cpuMs,
-                               .intervalMs = intervalMs};
+                               .intervalMs = intervalMs,
+                               .overlapped = overlapped_};
 }
 
 void FrameControl::resized(glm::ivec2 size) {

@@ -71,7 +71,8 @@ void setFragments(measure::FrameRecord& record, const passes::FrameResult& resul
   if (result.deepest > 0) record.set("deepest", result.deepest);
   record.set("lock_failures", result.lockFailures);
   record.set("recaptures", static_cast<std::uint64_t>(result.recaptures));
-  record.set("exact", result.exact);
+  record.set("pool_overflows", result.overflows);
+  if (result.counted) record.set("exact", result.exact);
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ void setFragments(measure::FrameRecord& record, const passes::FrameResult& resul
 measure::FrameRecord recordOf(const passes::FrameRenderer& renderer,
                               const passes::FrameResult& result) {
   measure::FrameRecord record;
-  setTimes(record, result);
+  if (result.timed) setTimes(record, result);
   setShading(record, result);
   setBytes(record, renderer);
   setBudgetUsed(record, renderer, result);

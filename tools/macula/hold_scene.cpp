@@ -120,6 +120,7 @@ void drawFrames(HoldRecord& record, const HoldOptions& options, const Stage& sta
     held.setShadingLoad(times);
     control.steer(held);
     const passes::FrameResult result = held.render(source.camera, source.gaze, source.cut);
+    control.drawn(held);
     control.note(result);
     control::HeldFrame frame = heldFrame(result);
     const frame::QualityControls controls = held.inputs().controls;
@@ -160,6 +161,7 @@ void holdScene(HoldOptions& options) {
   HoldRecord record;
   record.size = parseSize(options.size);
   record.steps = parseLoads(options.loads, options.frames);
+  if (!options.settings.timing) failInput("hold needs the times of frames; leave frame.timing on");
   const auto gazeSource = gaze::parseGazeSpec(options.gaze, options.gazeSettings);
   std::optional<LoadedScene> loaded = loadForRendering(options.scene, options.settings);
   const FollowedGaze followed(*gazeSource, options.gazeSettings);
@@ -183,6 +185,7 @@ void holdScene(HoldOptions& options) {
 
   passes::FrameRenderer held(options.settings, stage.device);
   passes::FrameRenderer fixed(options.settings, stage.device);
+  fixed.want({.times = true, .statistics = false});
   for (passes::FrameRenderer* renderer : {&held, &fixed}) {
     renderer->resize(record.size);
     renderer->setScene(stage.gpu);

@@ -124,7 +124,10 @@ void Replay::follow(const Frame& frame) {
   if (!frame.scene.name.empty()) loadScene(frame.scene, frame);
   if (!painter_) {
     painter_.emplace(options_.settings, device_, *gpu_, frame.size);
-    if (options_.reference) reference_.emplace(referenceSettings_, device_, *gpu_, frame.size);
+    if (options_.reference) {
+      reference_.emplace(referenceSettings_, device_, *gpu_, frame.size);
+      reference_->wantImagesAlone();
+    }
   }
   // The reference is drawn at full rate.
   painter_->setControls(replayedControls(frame, options_.settings.lod.resize, options_.scene));
@@ -148,7 +151,10 @@ passes::FrameResult Replay::render(const Frame& frame) {
 
 Painter* Replay::ordered(const Frame& frame) {
   if (!passes::methodById(options_.settings.oit.method).isRacy()) return nullptr;
-  if (!ordered_) ordered_.emplace(orderedSettings_, device_, *gpu_, frame.size);
+  if (!ordered_) {
+    ordered_.emplace(orderedSettings_, device_, *gpu_, frame.size);
+    ordered_->wantImagesAlone();
+  }
   return &*ordered_;
 }
 
@@ -221,6 +227,11 @@ void Replay::finish() {
 }
 
 }  // namespace
+
+std::string medianText(const nlohmann::ordered_json& summary) {
+  const auto& median = summary["ms"]["median"];
+  return median.is_null() ? "not timed" : fmt::format("median {:.2f} ms", median.get<double>());
+}
 
 void replay(ReplayOptions& options) {
   const Clock::time_point begin = Clock::now();

@@ -62,4 +62,7 @@ class ReplayInput {
 [[nodiscard]] std::unique_ptr<ReplayInput> openRecording(const ReplayOptions& options,
                                                          recording::Recording recording);
 
+/// The time of a frame in words. @param summary of the report
+[[nodiscard]] std::string medianText(const nlohmann::ordered_json& summary);
+
 }  // namespace macula::tools

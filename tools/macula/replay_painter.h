@@ -34,6 +34,8 @@ class Painter {
     linear_.linear = true;
   }
 
+  /// Of the following frames only images are asked for.
+  void wantImagesAlone() { renderer_.want({.times = false, .statistics = false}); }
   passes::FrameResult draw(const recording::Frame& frame) {
     return renderer_.render(frame.camera, frame.gaze, frame.cut);
   }

@@ -51,9 +51,9 @@ class PathInput final : public ReplayInput {
   }
   std::string summary(const nlohmann::ordered_json& report) const override {
     const auto& summary = report["summary"];
-    std::string line = fmt::format(
-        "{} of {} by {}: median {:.2f} ms", counted(report["frames"].size(), "frame"),
-        options_.scene, options_.settings.oit.method, summary["ms"]["median"].get<double>());
+    std::string line =
+        fmt::format("{} of {} by {}: {}", counted(report["frames"].size(), "frame"), options_.scene,
+                    options_.settings.oit.method, medianText(summary));
     if (options_.reference) {
       line += fmt::format(", rmse {:.5f}", summary["error"]["rmse"].get<double>());
     }

@@ -74,9 +74,9 @@ class RecordedInput final : public ReplayInput {
   }
 
   std::string summary(const nlohmann::ordered_json& report) const override {
-    return fmt::format("{} of {} as recorded: median {:.2f} ms; {} of {} equal",
+    return fmt::format("{} of {} as recorded: {}; {} of {} equal",
                        counted(report["frames"].size(), "frame"), oneLine(session_.scene.name),
-                       report["summary"]["ms"]["median"].get<double>(), numbers_.hashesEqual,
+                       medianText(report["summary"]), numbers_.hashesEqual,
                        counted(numbers_.hashesCompared, "image hash", "image hashes"));
   }
 

@@ -1,5 +1,10 @@
 // Depth peeling (Everitt 2001), exact at equal depths: each layer takes three geometry passes, for
 // its depth, for the least id at that depth, and for the colour of the fragment with both.
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "engine/gl/blocking.h"
 #include "engine/gl/objects.h"
 #include "engine/gl/render_state.h"
 #include "passes/oit/oit_pass.h"
@@ -33,7 +38,22 @@ constexpr frame::Resource kPeelSum{"peel sum", GL_RGBA32F, SizeRule::Display, By
                                    Initial::Undefined};
 
 /// Steps of the pass. Those from Depths to Layer run once for each layer.
-enum Step : std::uint32_t { Begin, Depths, ClearIds, Ids, Colors, Layer, Finish };
+enum Step : std::uint32_t { Begin, Depths, Ids, Colors, Layer, Finish };
+
+/// Layers whose occlusion queries may be on their way: what the GPU is behind by, and some more.
+constexpr std::size_t kQueries = 16;
+
+/// Commands while it lives have no effect where a query found nothing. The GPU decides, so that the
+/// CPU need not wait.
+class OnlyIfAny {
+ public:
+  explicit OnlyIfAny(const gl::QueryId& query) {
+    glBeginConditionalRender(query.id(), GL_QUERY_WAIT);
+  }
+  ~OnlyIfAny() { glEndConditionalRender(); }
+  OnlyIfAny(const OnlyIfAny&) = delete;
+  OnlyIfAny& operator=(const OnlyIfAny&) = delete;
+};
 
 class PeelPass final : public OitPass {
  public:
@@ -43,6 +63,7 @@ class PeelPass final : public OitPass {
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& in) const override {
     d.update(kPeelSum);
     d.update(kPeelLast);
+    d.update(kPeelIds);
 
     d.step();  // Depths
     d.scene();
@@ -50,9 +71,6 @@ class PeelPass final : public OitPass {
     d.viewport(plan_.size);
     depthTexture(d, TEX_INPUT0);
     d.image(IMG_0, kPeelLast, Access::Read);
-
-    d.step();  // ClearIds
-    d.update(kPeelIds);
 
     d.step();  // Ids
     d.scene();
@@ -73,8 +91,8 @@ class PeelPass final : public OitPass {
     d.step();  // Layer
     d.texture(TEX_INPUT1, kPeelDepth);
     d.texture(TEX_INPUT2, kPeelColor);
-    d.image(IMG_0, kPeelLast, Access::Scratch);  // for the next layer
-    d.image(IMG_1, kPeelIds, Access::Read);
+    d.image(IMG_0, kPeelLast, Access::Scratch);   // for the next layer
+    d.image(IMG_1, kPeelIds, Access::ReadWrite);  // emptied for the next layer
     d.image(IMG_2, kPeelSum, Access::ReadWrite);
 
     d.step();  // Finish
@@ -94,10 +112,11 @@ class PeelPass final : public OitPass {
     colors_.prepare(transparent.runs, "oit/peel.frag", shading, {}, programs);
     layerProgram_ = programs.get({{"oit/peel_layer.comp"}, {}, {}});
     finishProgram_ = programs.get({{"oit/peel_layer.comp"}, {{"FINISH", "1"}}, {}});
-    if (!query_) {
+    for (gl::QueryId& query : queries_) {
+      if (query) continue;
       GLuint id = 0;
       glCreateQueries(GL_ANY_SAMPLES_PASSED, 1, &id);
-      query_ = gl::QueryId(id);
+      query = gl::QueryId(id);
     }
   }
 
@@ -109,8 +128,13 @@ class PeelPass final : public OitPass {
     constexpr GLfloat kNoLayers[4]{0.0F, 0.0F, 0.0F, 1.0F};
     glClearTexImage(resources.texture(kPeelSum).id(), 0, GL_RGBA, GL_FLOAT, kNoLayers);
     glClearTexImage(resources.texture(kPeelLast).id(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT, nullptr);
-    for (int layer = 0; layer < plan_.options.layers; ++layer) {
-      if (!drawDepths(context)) break;
+    constexpr GLuint kNoId = NO_KEY;
+    glClearTexImage(resources.texture(kPeelIds).id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNoId);
+    const auto layers = static_cast<std::size_t>(plan_.options.layers);
+    std::size_t known = 0;  // layers that are known to hold a fragment
+    for (std::size_t layer = 0; layer < layers && !foundEmpty(known, layer); ++layer) {
+      drawDepths(context, layer);
+      const OnlyIfAny any(queryOf(layer));
       drawIds(context);
       drawColors(context);
       context.beginStep(Layer);
@@ -122,27 +146,39 @@ class PeelPass final : public OitPass {
     context.dispatch(plan_.size, kFullScreenGroup);
   }
 
-  /// Draws the depths of the next layer. @returns whether there was any
-  bool drawDepths(frame::PassContext& context) {
+  [[nodiscard]] const gl::QueryId& queryOf(std::size_t layer) const {
+    return queries_[layer % kQueries];
+  }
+
+  /// Whether a layer before `next` is known to be empty: then all behind it are. Asks for the
+  /// results that are there, and never waits for one.
+  /// @param known layers of which it is known that they are not; moves on
+  bool foundEmpty(std::size_t& known, std::size_t next) const {
+    if (next > kQueries) known = std::max(known, next - kQueries);  // asked about too late
+    for (; known < next; ++known) {
+      const std::optional<std::uint64_t> any = gl::resultIfThere(queryOf(known).id());
+      if (!any) return false;
+      if (*any == 0) return true;
+    }
+    return false;
+  }
+
+  /// Draws the depths of the next layer, where the one before it held anything.
+  void drawDepths(frame::PassContext& context, std::size_t layer) {
     const scene::GpuScene& gpu = *context.inputs().gpu;
     context.beginStep(Depths);
     gl::apply({.depthTest = true, .depthFunc = GL_GREATER, .depthWrite = true});
+    std::optional<OnlyIfAny> any;
+    if (layer > 0) any.emplace(queryOf(layer - 1));
     constexpr GLfloat kFarthest = 0.0F;
     glClearBufferfv(GL_DEPTH, 0, &kFarthest);
-    glBeginQuery(GL_ANY_SAMPLES_PASSED, query_.id());
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, queryOf(layer).id());
     depths_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
-    GLuint any = 0;
-    glGetQueryObjectuiv(query_.id(), GL_QUERY_RESULT, &any);
-    return any != 0;
   }
 
   void drawIds(frame::PassContext& context) {
     const scene::GpuScene& gpu = *context.inputs().gpu;
-    context.beginStep(ClearIds);
-    constexpr GLuint kNoId = NO_KEY;
-    glClearTexSubImage(context.resources().texture(kPeelIds).id(), 0, 0, 0, 0, plan_.size.x,
-                       plan_.size.y, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNoId);
     context.beginStep(Ids);
     gl::apply({.depthTest = true, .depthFunc = GL_EQUAL});
     ids_.draw(gpu, gpu.transparent(), gpu.transparent().depthRuns);
@@ -162,7 +198,7 @@ class PeelPass final : public OitPass {
   SceneVariants colors_;
   GLuint layerProgram_ = 0;
   GLuint finishProgram_ = 0;
-  gl::QueryId query_;
+  std::array<gl::QueryId, kQueries> queries_;
 };
 
 }  // namespace

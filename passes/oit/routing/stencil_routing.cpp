@@ -5,6 +5,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/gl/blocking.h"
 #include "engine/gl/objects.h"
 #include "engine/gl/render_state.h"
 #include "passes/full_screen.h"
@@ -107,7 +108,7 @@ bool routes(RoutingMode mode, gl::ProgramCache& programs) {
   glDispatchCompute(1, 1, 1);
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   std::array<GLuint, static_cast<std::size_t>(2 * kSide.x * kSide.y)> words{};
-  glGetTextureImage(result.id(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT, sizeof(words), words.data());
+  gl::readTexture(result.id(), {GL_RG_INTEGER, GL_UNSIGNED_INT}, sizeof(words), words.data());
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] != i % 2 + 1) return false;  // the first layer in sample 0, the second in 1
   }

@@ -201,6 +201,7 @@ void Panels::add(const passes::FrameRenderer& renderer, const passes::FrameResul
                        (static_cast<float>(image.width()) * static_cast<float>(image.height()));
     }
   }
+  if (!result.timed) return;
   timeline_.add(rows_, result.totalMs, layers);
   time_.add(renderer.plan().method->id, result.totalMs);
 }

@@ -67,7 +67,7 @@ class Panels {
  public:
   Panels(settings::Registry& registry, bool shown, const std::string& tab);
 
-  /// Takes the numbers of a frame that was drawn.
+  /// Takes the numbers of a frame, once they are there.
   void add(const passes::FrameRenderer& renderer, const passes::FrameResult& result,
            const FrameControl& control);
   /// Draws the gaze, the panels and the help page. Between the frames of the UI.
@@ -95,6 +95,10 @@ class Panels {
   [[nodiscard]] ui::SettingsPanel& settings() { return panel_; }
   [[nodiscard]] const std::string& tab() const { return tabNames()[tab_]; }
   [[nodiscard]] bool shown() const { return shown_; }
+  /// Whether numbers of frames can be seen: times, counts.
+  [[nodiscard]] bool numbersShown() const {
+    return shown_ && (numbersOpen_.value_or(true) || tab() == "compare");
+  }
   [[nodiscard]] bool helpShown() const { return helpShown_; }
   /// Of method A.
   [[nodiscard]] const ui::MethodTime& time() const { return time_; }

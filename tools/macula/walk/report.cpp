@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/gl/blocking.h"
 #include "frame_record.h"
 
 namespace macula::tools {
@@ -22,10 +23,8 @@ std::optional<double> meanK(const passes::FrameRenderer& renderer, glm::vec2 pla
   const glm::ivec2 extent = glm::clamp(center + half, low + 1, size) - low;
   const std::size_t count = static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
   std::vector<glm::uvec2> texels(count);  // first slot, k
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureSubImage(ranges.id(), 0, low.x, low.y, 0, extent.x, extent.y, 1, GL_RG_INTEGER,
-                       GL_UNSIGNED_INT, static_cast<GLsizei>(count * sizeof(glm::uvec2)),
-                       texels.data());
+  gl::readTexture(ranges.id(), low, extent, {GL_RG_INTEGER, GL_UNSIGNED_INT},
+                  count * sizeof(glm::uvec2), texels.data());
   double sum = 0.0;
   for (const glm::uvec2& texel : texels) sum += texel.y;
   return sum / static_cast<double>(count);

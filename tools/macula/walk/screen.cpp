@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engine/gl/blocking.h"
+
 namespace macula::tools {
 namespace {
 
@@ -69,8 +71,7 @@ image::Image8 readScreen(glm::ivec2 size) {
                      kChannels);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   glReadBuffer(GL_BACK);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, shot.pixels.data());
+  gl::readPixels(size, {GL_RGB, GL_UNSIGNED_BYTE}, shot.pixels.data());
   mirrorRows(shot);
   return shot;
 }

@@ -49,7 +49,7 @@ void SecondView::setMode(ViewMode mode) {
   mode_ = mode;
   dragging_ = false;
   if (shown()) return;
-  renderer_.reset();
+  dropRenderer();
   difference_ = {};
   time_ = {};
 }
@@ -59,28 +59,46 @@ glm::ivec2 SecondView::pictureSize(glm::ivec2 window) const {
   return {std::max(1, window.x / 2), window.y};
 }
 
+void SecondView::dropRenderer() {
+  renderer_.reset();
+  result_ = {};  // it names passes of the renderer
+}
+
+void SecondView::waitForResult() {
+  if (shown() && renderer_) result_ = renderer_->waitForResult();
+}
+
+void SecondView::adoptResult(const passes::FrameResult& result) {
+  result_ = result;
+  if (result.timed) time_.add(settings_.oit.method, result.totalMs);
+}
+
 void SecondView::makeRenderer(const FrameEvents& events, const scene::GpuScene& gpu) {
   renderer_ = std::make_unique<passes::FrameRenderer>(settings_, device_);
   renderer_->resize(events.pictureSize);
   renderer_->setScene(gpu);
 }
 
-void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, bool firstChanged) {
+void SecondView::render(const FrameEvents& events, const scene::GpuScene& gpu, bool firstChanged,
+                        const passes::Wanted& wanted) {
   std::optional<ui::SettingChange> change = panel_.takeChange();
   copyShared(first_, settings_);
   const auto draw = [&](bool changed) {
+    const bool begins = !renderer_ || changed;
     if (!renderer_) {
       makeRenderer(events, gpu);
     } else if (changed) {
       renderer_->resize(events.pictureSize);
     }
-    result_ = renderer_->render(events.camera, events.gaze, events.cut);
+    renderer_->want(wanted);
+    if (begins) return adoptResult(renderer_->render(events.camera, events.gaze, events.cut));
+    renderer_->draw(events.camera, events.gaze, events.cut);
+    if (const auto result = renderer_->takeResult()) adoptResult(*result);
   };
   bool changed = firstChanged || change;
   for (;;) {
     try {
       draw(changed);
-      time_.add(settings_.oit.method, result_.totalMs);
       return;
     } catch (const InputError& error) {
       if (!change) throw;

@@ -38,12 +38,16 @@ class SecondView {
 
   /// Draws method B. A change of its settings that the machine cannot take is taken back.
   /// @param firstChanged settings or size of method A changed
+  /// @param wanted beside the picture
   /// @throws InputError where method B cannot be drawn at all
-  void render(const FrameEvents& events, const scene::GpuScene& gpu, bool firstChanged);
+  void render(const FrameEvents& events, const scene::GpuScene& gpu, bool firstChanged,
+              const passes::Wanted& wanted);
+  /// Waits for the numbers of the last frame, where there is one.
+  void waitForResult();
   /// Puts the picture together in the default framebuffer.
   void compose(const Screen& screen, const passes::FrameRenderer& first, glm::ivec2 window);
   /// The scene has gone.
-  void forgetScene() { renderer_.reset(); }
+  void forgetScene() { dropRenderer(); }
 
   /// Moves the line of the split view where the user drags it, and draws it with the names and the
   /// times of both methods. Between the frames of the UI.
@@ -64,10 +68,13 @@ class SecondView {
   [[nodiscard]] const passes::RenderSettings& settings() const { return settings_; }
   /// Null before the first frame.
   [[nodiscard]] const passes::FrameRenderer* renderer() const { return renderer_.get(); }
+  /// The newest there is.
   [[nodiscard]] const passes::FrameResult& result() const { return result_; }
   [[nodiscard]] const ui::MethodTime& time() const { return time_; }
 
  private:
+  void dropRenderer();
+  void adoptResult(const passes::FrameResult& result);
   void makeRenderer(const FrameEvents& events, const scene::GpuScene& gpu);
   void drawDifference(const gl::Texture& first, const gl::Texture& second);
 

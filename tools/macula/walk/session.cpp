@@ -118,8 +118,8 @@ void WalkSession::loadingFrame() {
 void WalkSession::frame() {
   script_.due(frames_, requests_);
   grantRequests();
-  const Clock::time_point begin = Clock::now();
-  prepareEvents(begin);
+  cpuBegin_ = threadMs();
+  prepareEvents(Clock::now());
   draw();
   if (!firstFrameMs_) firstFrameMs_ = 1e3 * secondsBetween(begin_, Clock::now());
   if (recorder_) record();
@@ -131,7 +131,7 @@ void WalkSession::frame() {
   // scripts and --frames mean the same on any machine.
   if (!busy()) ++frames_;
   ui_.endFrame();
-  measureTimes(begin);
+  measureTimes();
   // A window that is closed has drawn its last frame as well.
   if (done()) finish();
   window_.swap();
@@ -159,21 +159,26 @@ void WalkSession::prepareEvents(Clock::time_point now) {
   events_.scene = scene_.name;
 }
 
-void WalkSession::measureTimes(Clock::time_point begin) {
-  // What is neither the renderer's nor the display's is the CPU's; with two methods, the other is
-  // no time of this one.
-  const float busyMs = 1e3F * secondsBetween(begin, Clock::now());
-  const double others = second_->shown() ? second_->result().totalMs : 0.0;
-  const double cpuMs = std::max(static_cast<double>(busyMs) - result_.totalMs - others, 0.0);
-  unnoted_ = {.cpuMs = cpuMs, .othersMs = others};
+void WalkSession::measureTimes() {
+  // Only what this thread works is the CPU's time: while it waits for the GPU or the display, no
+  // time of it passes. With glFinish as the clock, what it does while it draws is in the times of
+  // the passes.
+  const bool finishes = result_.timed && device_->time.source == gl::TimeSource::Finish;
+  const double cpuMs = threadMs() - cpuBegin_ - (finishes ? drawMs_ : 0.0);
+  cpuHistory_.add({.frame = renderer_->steps().frames - 1,
+                   .cpuMs = std::max(cpuMs, 0.0),
+                   .othersMs = second_->shown() ? second_->result().totalMs : 0.0});
+  drawnOnce_ = true;
 }
 
 void WalkSession::noteTimes() {
-  if (!unnoted_) return;
+  if (!drawnOnce_) return;
   // A frame lasts until the next begins.
-  const double intervalMs = 1e3 * static_cast<double>(events_.deltaSeconds);
-  control_->note(result_, unnoted_->cpuMs, intervalMs - unnoted_->othersMs);
-  unnoted_.reset();
+  cpuHistory_.end(renderer_->steps().frames - 1, 1e3 * static_cast<double>(events_.deltaSeconds));
+  if (!resultNew_) return;
+  if (const auto times = cpuHistory_.find(result_.frame)) {
+    control_->note(result_, times->cpuMs, times->intervalMs - times->othersMs);
+  }
 }
 
 void WalkSession::steer(float seconds) {
@@ -213,6 +218,9 @@ void WalkSession::followPointer() {
 void WalkSession::finish() {
   if (!options_.screenshot.empty()) image::writePng(options_.screenshot, readScreen(size_));
   if (options_.json.empty()) return;
+  // The report is of the last frame, all of whose numbers are asked for now.
+  result_ = renderer_->waitForResult();
+  second_->waitForResult();
   WalkReport report{
       .renderer = *renderer_,
       .result = result_,

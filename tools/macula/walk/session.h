@@ -19,6 +19,7 @@
 #include "passes/device_context.h"
 #include "passes/frame_renderer.h"
 #include "walk/camera_control.h"
+#include "walk/cpu_times.h"
 #include "walk/error_check.h"
 #include "walk/first_image.h"
 #include "walk/frame_events.h"
@@ -47,17 +48,13 @@ class WalkSession {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct CpuTimes {
-    double cpuMs = 0.0;
-    double othersMs = 0.0;  ///< of the second method
-  };
 
   // session.cpp: the loop and a frame's way through it
   [[nodiscard]] bool done() const;
   void loadingFrame();
   void frame();
   void prepareEvents(Clock::time_point now);
-  void measureTimes(Clock::time_point begin);
+  void measureTimes();
   void noteTimes();
   void steer(float seconds);
   void followPointer();
@@ -75,6 +72,8 @@ class WalkSession {
   void drawOverlays();
   void draw();
   void drawFirst();
+  void adoptResult(const passes::FrameResult& result);
+  [[nodiscard]] passes::Wanted wanted() const;
   bool takeBack(const InputError& error);
   void drawSecond(bool firstChanged);
   void compose();
@@ -136,8 +135,12 @@ class WalkSession {
   std::vector<std::string> recordings_;  ///< what is being recorded, in words
   std::string summary_;                  ///< of the recording, for the terminal; empty: none
   ui::FrameRate rate_;
-  passes::FrameResult result_;
-  std::optional<CpuTimes> unnoted_;  ///< of the last frame, until it is known how long it lasted
+  passes::FrameResult result_;  ///< the newest there is; of an earlier frame than the last
+  bool resultNew_ = false;      ///< it came with the last frame
+  bool drawnOnce_ = false;      ///< a frame was drawn whose length is not known yet
+  CpuHistory cpuHistory_;
+  double cpuBegin_ = 0.0;  ///< threadMs() at the begin of the frame
+  double drawMs_ = 0.0;    ///< of threadMs(), while the frame was being drawn
   FrameEvents events_;
   std::optional<ui::SettingChange> change_;
   std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded again for

@@ -32,6 +32,7 @@ void WalkSession::draw() {
     });
     firstImage_->show(options_.settings, *device_, *scene_.gpu, events_);
   }
+  const double before = threadMs();
   for (;;) {
     try {
       drawFirst();
@@ -45,15 +46,42 @@ void WalkSession::draw() {
   change_.reset();
   sceneBefore_ = {};
   cameraBefore_.reset();
-  panels_.add(*renderer_, result_, *control_);
+  control_->drawn(*renderer_);
+  if (resultNew_) panels_.add(*renderer_, result_, *control_);
   if (second_->shown()) drawSecond(changed);
+  drawMs_ = threadMs() - before;
+}
+
+passes::Wanted WalkSession::wanted() const {
+  const bool shown = panels_.numbersShown();
+  return {.times = shown || second_->shown() || control_->settings().law != "off" ||
+                   !options_.json.empty(),
+          .statistics = shown || recorder_.has_value()};
 }
 
 void WalkSession::drawFirst() {
   // resize() also checks what the settings make of the size.
+  const bool begins = change_ || events_.resized || events_.sceneChanged;
   if (change_ || events_.resized) renderer_->resize(events_.pictureSize);
   if (events_.sceneChanged) renderer_->setScene(*scene_.gpu);
-  result_ = renderer_->render(events_.camera, events_.gaze, events_.cut);
+  renderer_->want(wanted());
+  resultNew_ = false;
+  // The first frame by other settings compiles and allocates anyway, and is waited for, so that its
+  // pool suffices. So is each that is recorded: a replay, which waits, has to repeat it.
+  if (begins || recorder_) {
+    adoptResult(renderer_->render(events_.camera, events_.gaze, events_.cut));
+    return;
+  }
+  renderer_->draw(events_.camera, events_.gaze, events_.cut);
+  if (const auto result = renderer_->takeResult()) adoptResult(*result);
+}
+
+void WalkSession::adoptResult(const passes::FrameResult& result) {
+  if (result.overflows > result_.overflows) {
+    say("the pool of fragments was too small and grows; some were missing for a moment");
+  }
+  result_ = result;
+  resultNew_ = true;
 }
 
 bool WalkSession::takeBack(const InputError& error) {
@@ -91,7 +119,8 @@ bool WalkSession::takeBack(const InputError& error) {
 
 void WalkSession::drawSecond(bool firstChanged) {
   try {
-    second_->render(events_, *scene_.gpu, firstChanged);
+    second_->render(events_, *scene_.gpu, firstChanged,
+                    {.times = true, .statistics = panels_.numbersShown()});
   } catch (const InputError& error) {
     say(error.what(), true);
     second_->setMode(ViewMode::One);

@@ -11,6 +11,7 @@ void drawSettled(passes::FrameRenderer& renderer, const scene::GpuScene& gpu,
   renderer.resize(view.pictureSize);
   renderer.setScene(gpu);
   renderer.setControls(controls);
+  renderer.want({.times = false, .statistics = false});
   for (int i = 0; i < kSettlingFrames; ++i) renderer.render(view.camera, view.gaze);
 }
 
