@@ -38,6 +38,7 @@ void FrameNumbers::copy(std::size_t slot, const frame::FrameResources& resources
     sums_.copy(slot, range.id(), range.offset(), bytes, at);
     return true;
   };
+  sums_.begin();
   copied_[slot] = {
       .totals = copy(kOitTotals, sizeof(shader::OitTotals), kTotalsAt),
       .lod = frames_[slot].countsHoles && copy(kLodTotals, sizeof(shader::LodTotals), kLodAt),

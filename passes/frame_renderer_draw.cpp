@@ -86,6 +86,7 @@ FrameResult FrameRenderer::render(const scene::Camera& camera, const gaze::Point
     ++recaptures;
   }
   FrameResult result = resultOf(slot);
+  numbers_.free(slot);
   result.totalMs += givenUpMs;
   result.recaptures = recaptures;
   leaveHistory(camera);

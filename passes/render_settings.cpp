@@ -120,8 +120,7 @@ void registerSettings(settings::Registry& registry, RenderSettings& s) {
                             .help = "supersampling: N x N samples for each pixel"},
                            s.tonemap.ssaa, {1, 2, 4});
   registry.add({.key = "frame.timing",
-                .help = "time of each pass; off: passes may overlap, and no times are reported",
-                .effect = settings::Effect::Immediate},
+                .help = "time of each pass; off: passes may overlap, and no times are reported"},
                s.timing);
   registry.add({.key = "scene.environment",
                 .alias = "environment",

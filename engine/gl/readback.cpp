@@ -21,10 +21,16 @@ Readback::Readback(std::string_view name, std::size_t bytes, std::size_t slots)
   if (mapped_ == nullptr) failInput("the GPU has no memory for {}; use a smaller --size", name);
 }
 
+void Readback::begin() {
+  // The first bit is what a copy needs. But zink (Mesa 22.3) then still moves the copy before draws
+  // of its batch that write the source as shader storage: so the batch is complete, and submitted.
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  glFlush();
+}
+
 void Readback::copy(std::size_t slot, GLuint buffer, std::size_t offset, std::size_t bytes,
                     std::size_t at) {
   assert(at + bytes <= bytes_);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(buffer, buffer_.id(), static_cast<GLintptr>(offset),
                            static_cast<GLintptr>(slot * bytes_ + at),
                            static_cast<GLsizeiptr>(bytes));

@@ -20,7 +20,9 @@ class Readback {
   /// @throws InputError where the GPU has no memory for it
   Readback(std::string_view label, std::size_t bytes, std::size_t slots);
 
-  /// Copies bytes of a buffer, as shaders and commands so far leave it, to byte `at` of a slot.
+  /// Before copies of what shaders and commands so far leave behind: barriers, and a flush.
+  void begin();
+  /// Copies bytes of a buffer to byte `at` of a slot.
   void copy(std::size_t slot, GLuint buffer, std::size_t offset, std::size_t bytes, std::size_t at);
   /// Ends a slot's copies.
   void fence(std::size_t slot);

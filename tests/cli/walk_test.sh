@@ -120,6 +120,17 @@ rises smoke "256 50" "236 190" 1.1 smoke --k-ave 0.5 --set importance.periphery=
 walk panels smoke --size 640x480 --frames 2 --heatmap k
 check "$([ "$(png_size panels)" = "640 480" ] && echo 1)" "panels: the picture is the window"
 
+# Frames of a walk wait for the GPU only where that is the clock, and times are wanted.
+walk quiet smoke --size 320x240 --frames 12 --no-panels --method kb-variable --set frame.timing=off
+check "$([ "$(number_of quiet blocking_calls)" = 0 ] && echo 1)" "quiet: no frame waits for the GPU"
+walk timed smoke --size 320x240 --frames 12 --no-panels --method kb-variable
+calls=$(number_of timed blocking_calls)
+if "$program" devices | grep -q "glFinish and the steady clock are used"; then
+  check "$(holds "$calls > 5")" "timed: $calls times, once a pass"
+else
+  check "$(holds "$calls == 0")" "timed: $calls times, as a timer query waits for nothing"
+fi
+
 if [ $faults -gt 0 ]; then
   echo "$faults faults"
   exit 1

@@ -91,6 +91,7 @@ ordered_json describeWalk(const WalkReport& report, const std::vector<glm::vec2>
                     {"first_frame_ms", nullptr},
                     {"frame", report.events.index},
                     {"frames_per_second", nullptr},
+                    {"blocking_calls", report.blockingCalls},
                     {"scene", report.events.scene},
                     {"width", report.events.windowSize.x},
                     {"height", report.events.windowSize.y},

@@ -1,6 +1,7 @@
 // The numbers of the last frame of a walk, for `--json`.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -42,6 +43,7 @@ struct WalkReport {
   bool playing = false;                ///< a camera path
   const FrameControl& control;
   std::optional<double> framesPerSecond;  ///< from present to present
+  std::uint64_t blockingCalls = 0;        ///< by which the last frame may have waited for the GPU
 };
 
 [[nodiscard]] nlohmann::ordered_json describeWalk(const WalkReport& report,

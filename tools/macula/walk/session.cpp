@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common.h"
+#include "engine/gl/blocking.h"
 #include "engine/image/image.h"
 #include "engine/recording/writer.h"
 #include "walk/report.h"
@@ -119,6 +120,7 @@ void WalkSession::frame() {
   script_.due(frames_, requests_);
   grantRequests();
   cpuBegin_ = threadMs();
+  const std::uint64_t blockedBefore = gl::blockingCount().total();
   prepareEvents(Clock::now());
   draw();
   if (!firstFrameMs_) firstFrameMs_ = 1e3 * secondsBetween(begin_, Clock::now());
@@ -132,6 +134,7 @@ void WalkSession::frame() {
   if (!busy()) ++frames_;
   ui_.endFrame();
   measureTimes();
+  blockingCalls_ = gl::blockingCount().total() - blockedBefore;
   // A window that is closed has drawn its last frame as well.
   if (done()) finish();
   window_.swap();
@@ -241,6 +244,7 @@ void WalkSession::finish() {
       .playing = camera_.playing(),
       .control = *control_,
       .framesPerSecond = rate_.perSecond(),
+      .blockingCalls = blockingCalls_,
   };
   writeJson(options_.json, describeWalk(report, probes_));
 }

@@ -139,8 +139,9 @@ class WalkSession {
   bool resultNew_ = false;      ///< it came with the last frame
   bool drawnOnce_ = false;      ///< a frame was drawn whose length is not known yet
   CpuHistory cpuHistory_;
-  double cpuBegin_ = 0.0;  ///< threadMs() at the begin of the frame
-  double drawMs_ = 0.0;    ///< of threadMs(), while the frame was being drawn
+  double cpuBegin_ = 0.0;            ///< threadMs() at the begin of the frame
+  double drawMs_ = 0.0;              ///< of threadMs(), while the frame was being drawn
+  std::uint64_t blockingCalls_ = 0;  ///< of the last frame, before what its report needs
   FrameEvents events_;
   std::optional<ui::SettingChange> change_;
   std::optional<ui::SettingChange> sceneChange_;  ///< a setting that the scene is loaded again for
