@@ -27,8 +27,7 @@ struct ProgramKey {
 /// context.
 class ProgramCache {
  public:
-  /// Called while programs are made: each takes two steps, to be issued and to be ready.
-  /// @param done steps so far, from 1 · @param total steps
+  /// Called while programs are made, twice for each. @param done steps, from 1 · @param total of them
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
   /// @param binaries of earlier runs
