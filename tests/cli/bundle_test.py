@@ -52,6 +52,9 @@ def make_root(root):
         copy_into(root, f"/lib/x86_64-linux-gnu/{name}")
     for folder in ("proc", "dev", "tmp", "opt"):
         (root / folder).mkdir()
+    # For a root without mounts: what the scripts and the program ask of /dev and /proc.
+    (root / "dev" / "null").touch()
+    (root / "proc" / "self").mkdir()
     for name in ("libEGL.so.1", "libOpenGL.so.0", "libGLdispatch.so.0", "libfmt.so.9", "libX11.so.6"):
         assert not list(root.rglob(name)), f"{name} is in the root: the test would not miss it"
 
@@ -91,7 +94,7 @@ def check_report(folder):
     points = results["chart"]["points"]
     measured = [p for p in points if p["status"] == "measured"]
     refused = [p for p in points if p["status"] == "refused"]
-    assert {p["sync"] for p in measured} >= {"ordered", "spinlock"}, measured
+    assert {p["sync"] for p in measured} >= {"ordered", "spinlock"}, refused
     assert refused and all("interlock" in p["variant"] for p in refused), refused
     assert results["hold-120"]["target_ms"] == 8.333, results["hold-120"]["target_ms"]
     return report, tests, len(measured)
@@ -144,6 +147,7 @@ def main():
         subprocess.run(["tar", "-xzf", archive, "-C", root / "opt"], check=True)
         folder, = (root / "opt").iterdir()
         inside = "/" + str(folder.relative_to(root))
+        (root / "proc" / "self" / "exe").symlink_to(f"{inside}/bin/macula")
         done = subprocess.run([*words, "/bin/bash", f"{inside}/gpu-report.sh", "--length", "quick"],
                               check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True)

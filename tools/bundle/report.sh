@@ -37,7 +37,9 @@ add_section() { # add_section ID TITLE STATUS EXIT SECONDS COMMAND LOG-TEXT RESU
 \"seconds\": $5, \"command\": $(json_string "$6"), \"log\": $(json_string "$7"), \"result\": $8}")
 }
 
-# Runs a command. What it prints goes to ID.log; it is to write RESULT, a JSON file.
+# Runs a command. What it prints goes to ID.log; it is to write RESULT, a JSON file, with $wanted in
+# it.
+wanted=
 section() { # section ID TITLE RESULT COMMAND...
   local id=$1 title=$2 result=$3 began=$SECONDS status=passed code found told
   shift 3
@@ -47,7 +49,7 @@ section() { # section ID TITLE RESULT COMMAND...
   code=$?
   found=$(json_of "$result")
   # No test is no success: the filter fits none.
-  if ((code != 0)) || [[ $found == null || $found == *'"tests": 0,'* ]]; then
+  if ((code != 0)) || [[ $found == null || $found == *'"tests": 0,'* || $found != *"$wanted"* ]]; then
     status=failed
     ((++failed))
   fi
