@@ -24,7 +24,16 @@ struct DeviceContext {
       : capabilities(gl::readCapabilities()),
         programs(dataFolder("shaders"), std::move(binaries)),
         time(gl::checkTimeSource(programs)),
-        ordered(checkOrdered(capabilities, programs)) {}
+        ordered(checkOrdered(capabilities, programs)) {
+    sumInGroups(!capabilities.isSoftware);
+  }
+
+  /// Whether the threads of a work-group add up together (shaders/lib/tile.glsl), as suits a GPU,
+  /// or each by itself, as suits a processor. Changes the time that programs take which are made
+  /// from now on, and no result.
+  void sumInGroups(bool together) {
+    programs.setDefines(together ? gl::Defines{{"GROUP_SUMS", "1"}} : gl::Defines{});
+  }
 
  private:
   static gl::ProgramBinaries userBinaries() {

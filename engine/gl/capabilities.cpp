@@ -67,6 +67,7 @@ Capabilities readCapabilities() {
   if (c.renderer.starts_with("llvmpipe")) {
     constexpr std::uint32_t kLlvmpipeLoopIterations = 65535;
     c.ordersFragmentsPerPixel = true;
+    c.isSoftware = true;
     c.maxLoopIterations = kLlvmpipeLoopIterations;
   }
   return c;

@@ -26,6 +26,8 @@ struct Capabilities {
   /// Rasterisers known to draw a pixel's fragments in order on one thread; still to be confirmed by
   /// the synchronisation self-test.
   bool ordersFragmentsPerPixel = false;
+  /// Shaders run on the processor that runs the program, a work-group on one of its cores.
+  bool isSoftware = false;
   /// Loop iterations after which the device ends a shader's loops; 0 where it never does. Mesa's
   /// llvmpipe stops at 65,535 in all (LP_MAX_TGSI_LOOP_ITERATIONS).
   std::uint32_t maxLoopIterations = 0;

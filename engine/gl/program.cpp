@@ -83,15 +83,17 @@ ProgramCache::ProgramCache(std::filesystem::path shaderFolder, ProgramBinaries b
     : folder_(std::move(shaderFolder)), binaries_(std::move(binaries)) {}
 
 GLuint ProgramCache::get(const ProgramKey& key) {
-  const auto found = programs_.find(key);
+  ProgramKey whole = key;
+  whole.defines.insert(whole.defines.end(), defines_.begin(), defines_.end());
+  const auto found = programs_.find(whole);
   GLuint id = 0;
   if (found != programs_.end()) {
     id = found->second.id();
   } else {
     ProgramId program(glCreateProgram());
     id = program.id();
-    programs_.emplace(key, std::move(program));
-    waiting_.push_back({.key = key, .program = id, .binary = {}, .loaded = false});
+    programs_.emplace(whole, std::move(program));
+    waiting_.push_back({.key = std::move(whole), .program = id, .binary = {}, .loaded = false});
   }
   if (!batched_ && !waiting_.empty()) {
     const Batch alone(*this);

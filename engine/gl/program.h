@@ -35,6 +35,8 @@ class ProgramCache {
   /// @returns the GL name of the program, which is linked unless a batch lives
   /// @throws std::runtime_error with the compiler's messages (a mistake in Macula or the driver)
   GLuint get(const ProgramKey& key);
+  /// From now on, defines for every program besides those of its key: what the device asks for.
+  void setDefines(Defines defines) { defines_ = std::move(defines); }
   /// From now on, programs that get() returns are also noted here; nullptr ends it.
   void record(std::vector<GLuint>* into) { record_ = into; }
   void onProgress(Progress progress) { progress_ = std::move(progress); }
@@ -73,6 +75,7 @@ class ProgramCache {
   std::filesystem::path folder_;
   ProgramBinaries binaries_;
   Progress progress_;
+  Defines defines_;
   std::map<ProgramKey, ProgramId> programs_;
   std::vector<Job> waiting_;  ///< named and not linked
   bool batched_ = false;

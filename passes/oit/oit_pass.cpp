@@ -69,7 +69,7 @@ void OitComputePass::prepare(const frame::FrameInputs& /*in*/, gl::ProgramCache&
 }
 
 void OitComputePass::dispatch(const frame::PassContext& context) {
-  dispatchStrips(context, plan_.size);
+  dispatchTiles(context, plan_.size);
 }
 
 void OitComputePass::run(frame::PassContext& context) {
@@ -117,9 +117,8 @@ gl::Defines slotRangeDefines(const OitPlan& plan) {
   return defines;
 }
 
-void dispatchStrips(const frame::PassContext& context, glm::ivec2 size) {
-  const glm::ivec2 threads((size.x + STRIP - 1) / STRIP, size.y);
-  context.dispatch(threads, {STRIP_GROUP, 1});
+void dispatchTiles(const frame::PassContext& context, glm::ivec2 size) {
+  context.dispatch(size, {TILE_WIDTH, TILE_HEIGHT});
 }
 
 }  // namespace macula::passes

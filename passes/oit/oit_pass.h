@@ -60,7 +60,7 @@ class OitComputePass : public OitPass {
 
  protected:
   [[nodiscard]] virtual gl::ProgramKey program() const = 0;
-  /// Sets uniforms and dispatches, with the program in use: a thread for each strip, unless
+  /// Sets uniforms and dispatches, with the program in use: a group for each tile, unless
   /// overridden.
   virtual void dispatch(const frame::PassContext& context);
 
@@ -84,8 +84,7 @@ void linksRow(frame::PassDeclaration& d, const OitPlan& plan, frame::Access acce
 void slotRangeRows(frame::PassDeclaration& d, const OitPlan& plan);
 [[nodiscard]] gl::Defines slotRangeDefines(const OitPlan& plan);
 
-/// Threads for all strips of so many samples and the shape of their groups: a row of groups per row
-/// of samples.
-void dispatchStrips(const frame::PassContext& context, glm::ivec2 size);
+/// Work-groups for all tiles of so many samples (shaders/lib/tile.glsl).
+void dispatchTiles(const frame::PassContext& context, glm::ivec2 size);
 
 }  // namespace macula::passes

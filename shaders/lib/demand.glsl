@@ -68,7 +68,7 @@ Demand demandOf(ivec2 p, uint n, vec4 multipliers[DEMAND_VECTORS], vec3 behind, 
   Prefix all = kNothing;
   for (int i = 0; i < SLICES; ++i) {
     uvec4 words = slices[base + uint(i)];
-    if (words.x != 0u) extend(all, layerOf(decodeSlice(words), 1));
+    if (!isEmptySlice(words)) extend(all, layerOf(decodeSlice(words), 1));
   }
   // A tile's slices stand for all of its pixels, whatever their counts.
   float scale = float(n) / max(all.fragments, 1.0);
@@ -90,7 +90,7 @@ Demand demandOf(ivec2 p, uint n, vec4 multipliers[DEMAND_VECTORS], vec3 behind, 
 #endif
   for (int i = 0; i < SLICES; ++i) {
     uvec4 words = slices[base + uint(i)];
-    if (words.x == 0u) continue;
+    if (isEmptySlice(words)) continue;
     Layer one = layerOf(decodeSlice(words), PARTS);
     for (int j = 0; j < PARTS; ++j) {
 #ifdef UTILITY_TRANSMITTANCE
@@ -148,7 +148,7 @@ Demand demandAt(ivec2 p, uint n, vec4 multipliers[DEMAND_VECTORS]) {
   Correction correction = Correction(vec4(1.0), vec4(0.0));
 #ifdef UTILITY_ERROR
   if (gazeSettings.y > 0.0) {
-    float seen = peripheryFactor(vec2(p) + 0.5, ImportanceSettings(0.0, gazeSettings.x, 0.0, 1.0));
+    float seen = peripheryFactor(vec2(p) + 0.5, gazeOfFrame(), gazeSettings.x);
     weight = mix(1.0, seen * seen, gazeSettings.y);
   }
   behind = texelFetch(opaqueColor, pixelAt(p, pitch, textureSize(opaqueColor, 0)), 0).rgb;

@@ -2,6 +2,16 @@
 #include "lib/frame.glsl"
 #include "lib/hash.glsl"
 
+/// Where the eye looks. Read once, before a loop over pixels: Mesa's compilers read constants of the frame
+/// again wherever a loop names them, which took a third of the time of importance.
+struct Gaze {
+  vec2 place;
+  float spread;
+  float reach;  // pixels at which 2 d of Eq. 4 is 1
+};
+
+Gaze gazeOfFrame() { return Gaze(frame.gaze, frame.gazeSpread, 1.1 * length(frame.size)); }
+
 struct ImportanceSettings {
   float rangeBias;   // alpha of Eq. 3
   float periphery;   // d of Eq. 4
@@ -16,10 +26,10 @@ float depthComplexityFactor(float layers, ImportanceSettings s) {
 
 /// Eq. 4. Clamped: off centre the paper's form falls below 0 beyond 0.55 of the diagonal. The distance
 /// is to the disc in which the gaze may be, whose radius is 0 where the gaze is certain.
-float peripheryFactor(vec2 pixelCenter, ImportanceSettings s) {
-  float away = max(0.0, distance(pixelCenter, frame.gaze) - frame.gazeSpread);
-  float x = 2.0 * away / (1.1 * length(frame.size));
-  return clamp(1.0 - pow(x, s.periphery), 0.0, 1.0);
+float peripheryFactor(vec2 pixelCenter, Gaze gaze, float periphery) {
+  float away = max(0.0, distance(pixelCenter, gaze.place) - gaze.spread);
+  float x = 2.0 * away / gaze.reach;
+  return clamp(1.0 - pow(x, periphery), 0.0, 1.0);
 }
 
 /// Eq. 5. normal.w: 1 where the last frame had a transparent surface here.
@@ -31,7 +41,7 @@ float fresnelFactor(vec4 normal, vec3 toEye) {
 }
 
 /// The noise of Eq. 6: lambda (xi - 0.5), static over frames unless the seed changes.
-float noiseTerm(ivec2 pixel, uint seed, ImportanceSettings s) {
-  uint h = hashPcg(uint(pixel.x) + hashPcg(uint(pixel.y) + hashPcg(seed)));
+float noiseTerm(ivec2 pixel, uint hashedSeed, ImportanceSettings s) {
+  uint h = hashPcg(uint(pixel.x) + hashPcg(uint(pixel.y) + hashedSeed));
   return s.noise * (float(h >> 8) / 16777216.0 - 0.5);  // 24 bits: exact in a float
 }

@@ -11,18 +11,36 @@ struct Slice {
   vec3 tauColor;  // optical depth times colour
 };
 
-/// Words of a slice: count above optical depth in one, then colour. Beyond their range they wrap, which
-/// makes the prediction worse and nothing else.
+const uint kSliceDepthBits = (1u << SLICE_COUNT_SHIFT) - 1u;
+const uint kSliceColorBits = (1u << SLICE_CARRY_SHIFT) - 1u;
+
+/// A fragment as addend of the words of a slice: count above optical depth in one, then colour.
 uvec4 encodeSlice(float tau, vec3 color) {
   uvec4 fixedPoint = uvec4(vec4(tau, tau * color) * SLICE_STEPS + 0.5);
   return uvec4(fixedPoint.x + (1u << SLICE_COUNT_SHIFT), fixedPoint.yzw);
 }
 
+/// Where adding the first word makes the count or the optical depth run over, the addend that notes it:
+/// above red for the count, above green for the optical depth, which runs over into the count. Each is
+/// noted by one fragment, whatever their order. @param before the first word before the addition
+uvec4 withCarry(uvec4 addend, uint before) {
+  uint depth = (before & kSliceDepthBits) + (addend.x & kSliceDepthBits);
+  if (before + addend.x < before) addend.y += 1u << SLICE_CARRY_SHIFT;
+  if (depth > kSliceDepthBits) addend.z += 1u << SLICE_CARRY_SHIFT;
+  return addend;
+}
+
+/// Whether no fragment is in a slice.
+bool isEmptySlice(uvec4 words) { return (words.x | words.y) == 0u; }
+
 Slice decodeSlice(uvec4 words) {
+  uvec2 carries = words.yz >> SLICE_CARRY_SHIFT;
+  uint depth = (words.x & kSliceDepthBits) + (carries.y << SLICE_COUNT_SHIFT);
+  uint count = (words.x >> SLICE_COUNT_SHIFT) + (carries.x << (32 - SLICE_COUNT_SHIFT)) - carries.y;
   Slice s;
-  s.fragments = float(words.x >> SLICE_COUNT_SHIFT);
-  s.tau = float(words.x & ((1u << SLICE_COUNT_SHIFT) - 1u)) / SLICE_STEPS;
-  s.tauColor = vec3(words.yzw) / SLICE_STEPS;
+  s.fragments = float(count);
+  s.tau = float(depth) / SLICE_STEPS;
+  s.tauColor = vec3(words.y & kSliceColorBits, words.z & kSliceColorBits, words.w) / SLICE_STEPS;
   return s;
 }
 

@@ -1,9 +1,8 @@
-// Lists the places that transparent fragments cover, so that later passes skip all others. A thread
-// walks a strip of places and adds to the list once.
+// Lists the places that transparent fragments cover, so that later passes skip all others.
 // LISTED_TILE: places are tiles of so many samples a side. SAMPLED: places are cells; one pixel of each
 // is tested and listed.
 #include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #include "lib/hash.glsl"
@@ -45,22 +44,25 @@ bool isCovered(ivec2 tile) {
 #endif
 
 void main() {
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(STRIP, (int(frame.size.x) + placeSide() - 1) / placeSide() - first.x);
-  uint found = 0u;  // a bit for each place of the strip
-  for (int i = 0; i < end; ++i) {
-    if (isCovered(first + ivec2(i, 0))) found |= 1u << uint(i);
+  ivec2 first = firstPlace();
+  int places = placesInside(first, (ivec2(frame.size) + placeSide() - 1) / placeSide());
+  uint found = 0u;  // a bit for each place of the thread
+  for (int i = 0; i < places; ++i) {
+    if (isCovered(first + i * kPlaceStep)) found |= 1u << uint(i);
   }
-  if (found == 0u) return;
-  uint entries = uint(bitCount(found));
-  uint at = atomicAdd(totals.dispatches[kList].w, entries);
+  GroupPlace entries = placeInGroup(uint(bitCount(found)));
+  uint at = 0u;
+  if (addsForGroup() && entries.total > 0u) {
+    at = atomicAdd(totals.dispatches[kList].w, entries.total);
 #ifndef SAMPLED
-  atomicMax(totals.dispatches[kList].z, 1u);
-  growDispatch(kList, (at + entries + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP));
+    atomicMax(totals.dispatches[kList].z, 1u);
+    growDispatch(kList, (at + entries.total + uint(LIST_GROUP) - 1u) / uint(LIST_GROUP));
 #endif
-  for (int i = 0; i < end; ++i) {
+  }
+  at = fromAdder(at) + entries.before;
+  for (int i = 0; found != 0u && i < places; ++i) {
     if ((found & (1u << uint(i))) == 0u) continue;
-    ivec2 entry = entryOf(first + ivec2(i, 0));
+    ivec2 entry = entryOf(first + i * kPlaceStep);
     covered[at++] = uint(entry.x) | uint(entry.y) << 16;
   }
 }

@@ -1,8 +1,7 @@
 // Sums over each strip of pixels: the least slots that they need, their demand at a multiplier a little
 // above and a little below the one found, their fragments.
 // DEMAND_STORED: an earlier pass has stored each pixel's demand; else it is found and stored here.
-#include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
@@ -20,15 +19,18 @@ layout(std430, binding = SSBO_STRIP_SUMS) writeonly buffer StripSums { uvec4 str
 #include "lib/strips.glsl"
 
 void main() {
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  if (first.x >= int(frame.size.x)) return;
-  int end = min(first.x + STRIP, int(frame.size.x));
+  ivec2 first = firstPlace();
+  int places = placesInside(first, ivec2(frame.size));
 #ifndef DEMAND_STORED
   vec4 multipliers[1] = finalMultipliers();
 #endif
   uvec4 sum = uvec4(0u);
-  for (ivec2 p = first; p.x < end; ++p.x) {
-    uint n = min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS);
+  ivec2 p = first;
+  for (int i = 0; i < THREAD_PLACES; ++i, p += kPlaceStep) {
+    uint n = i < places ? min(uint(texelFetch(fragmentCount, p, 0).r), MAX_PIXEL_LAYERS) : 0u;
+#ifdef GROUP_SUMS
+    sum = uvec4(0u);
+#endif
     if (n > 0u) {
 #ifdef DEMAND_STORED
       uint word = imageLoad(slotDemand, p).r;
@@ -38,6 +40,12 @@ void main() {
 #endif
       sum += uvec4(min(n, LEAST_SLOTS), unpackDemand(word), n);
     }
+#ifdef GROUP_SUMS
+    sumUpTo(sum, uint(STRIP));
+    if (p.x % STRIP == 0 && i < places) stripSums[stripIndex(p)] = sumOfAll(uint(STRIP));
+#endif
   }
-  stripSums[stripIndex(first)] = sum;
+#ifndef GROUP_SUMS
+  if (places > 0) stripSums[stripIndex(first)] = sum;
+#endif
 }

@@ -1,7 +1,6 @@
 // Totals of the image for the features of the thesis's network: number of fragments, covered pixels,
-// nearest and farthest depth. A thread walks a strip of pixels and adds to the totals once.
-#include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+// nearest and farthest depth.
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
@@ -11,13 +10,13 @@ layout(binding = TEX_INPUT1) uniform sampler2D depthRange;
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 void main() {
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(first.x + STRIP, int(frame.size.x));
   uint sum = 0u;
   uint covered = 0u;
   float nearest = 0.0;
   float farthest = 1.0;
-  for (ivec2 p = first; p.x < end; ++p.x) {
+  ivec2 p = firstPlace();
+  int places = placesInside(p, ivec2(frame.size));
+  for (int i = 0; i < places; ++i, p += kPlaceStep) {
     float n = texelFetch(fragmentCount, p, 0).r;
     if (n == 0.0) continue;
     sum += uint(n);
@@ -26,11 +25,13 @@ void main() {
     nearest = max(nearest, range.x);
     farthest = min(farthest, -range.y);
   }
-  if (sum == 0u) return;
-  atomicAdd(totals.extent.x, sum);
-  atomicAdd(totals.extent.w, covered);
   // Positive floats order as their bits do; the complement turns a minimum into a maximum, so that
   // 0 is the start of both.
-  atomicMax(totals.extent.y, floatBitsToUint(nearest));
-  atomicMax(totals.extent.z, ~floatBitsToUint(farthest));
+  uvec4 own = uvec4(sum, floatBitsToUint(nearest), ~floatBitsToUint(farthest), covered);
+  uvec4 all = groupTotal(own, bvec4(false, true, true, false));
+  if (!addsForGroup() || all.w == 0u) return;
+  atomicAdd(totals.extent.x, all.x);
+  atomicMax(totals.extent.y, all.y);
+  atomicMax(totals.extent.z, all.z);
+  atomicAdd(totals.extent.w, all.w);
 }

@@ -3,6 +3,8 @@
 // ROUND: 0 .. MULTIPLIER_ROUNDS - 1
 #include "shared/dispatch.h"
 layout(local_size_x = LIST_GROUP) in;
+#define GROUP_THREADS LIST_GROUP
+#include "lib/group_sums.glsl"
 
 #include "lib/frame.glsl"
 #define DEMAND_VECTORS MULTIPLIER_VECTORS_A_ROUND
@@ -14,7 +16,7 @@ layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 
 void main() {
   uint samples = totals.dispatches[LIST_OF_SAMPLES].w;
-  if (gl_GlobalInvocationID.x >= samples) return;
+  if (gl_WorkGroupID.x * uint(LIST_GROUP) >= samples) return;
   MultiplierBounds bounds = multiplierBounds(ROUND, frame.slots, pixelsPerSample());
   vec4 multipliers[DEMAND_VECTORS];
   uvec4 sum[DEMAND_VECTORS];
@@ -28,8 +30,10 @@ void main() {
     for (int v = 0; v < DEMAND_VECTORS; ++v) sum[v] += uvec4(demand.slots[v]);
   }
   for (int v = 0; v < DEMAND_VECTORS; ++v) {
+    uvec4 all = groupTotal(sum[v], bvec4(false));
+    if (!addsForGroup() || all == uvec4(0u)) continue;
     for (int i = 0; i < 4; ++i) {
-      atomicAdd(totals.sampledDemand[ROUND * DEMAND_VECTORS + v][i], sum[v][i]);
+      atomicAdd(totals.sampledDemand[ROUND * DEMAND_VECTORS + v][i], all[i]);
     }
   }
 }

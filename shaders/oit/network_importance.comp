@@ -1,7 +1,6 @@
-// Importance of each pixel by the network's output, and its sum. A thread walks a strip of pixels and
-// adds to the totals once. FACTORS: also as a float, for heat maps.
-#include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+// Importance of each pixel by the network's output, and its sum. FACTORS: also as a float,
+// for heat maps.
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
@@ -13,14 +12,15 @@ layout(r32ui, binding = IMG_0) writeonly uniform uimage2D importance;
 layout(rgba16f, binding = IMG_1) writeonly uniform image2D factors;
 #endif
 layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
+#include "lib/importance_sum.glsl"
 
 void main() {
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(first.x + STRIP, int(frame.size.x));
   uint sum = 0u;
   uint covered = 0u;
   uint countMax = 0u;
-  for (ivec2 p = first; p.x < end; ++p.x) {
+  ivec2 p = firstPlace();
+  int places = placesInside(p, ivec2(frame.size));
+  for (int i = 0; i < places; ++i, p += kPlaceStep) {
     float count = texelFetch(fragmentCount, p, 0).r;
     if (count == 0.0) continue;
     float predicted = clamp(outputAt(p).low.x, 0.0, 1.0);
@@ -33,9 +33,5 @@ void main() {
     imageStore(factors, p, vec4(0.0, 0.0, 0.0, predicted));
 #endif
   }
-  if (covered == 0u) return;
-  uint old = atomicAdd(totals.importanceLow, sum);
-  if (old + sum < old) atomicAdd(totals.importanceHigh, 1u);
-  atomicAdd(totals.covered, covered);
-  atomicMax(totals.countMax, countMax);
+  addImportance(sum, covered, countMax);
 }

@@ -1,40 +1,50 @@
-// Turns the sums of strips into the sums of all strips before them. A thread takes a row; then, ROWS:
-// one thread takes the sums of all rows, and leaves those of the image in the totals.
-#include "shared/oit_constants.h"
-#ifdef ROWS
-layout(local_size_x = 1) in;
+// Turns the sums of strips into the sums of all strips before them in their row, and leaves the sum of
+// the row. GROUP_SUMS: STRIP threads a row. Else a thread takes a row.
+#include "shared/dispatch.h"
+#ifdef GROUP_SUMS
+#define GROUP_THREADS SCAN_GROUP
 #else
-layout(local_size_x = STRIP_GROUP) in;
+#define GROUP_THREADS PREFIX_ROWS
 #endif
+layout(local_size_x = GROUP_THREADS) in;
 
 #include "lib/frame.glsl"
-#include "lib/oit.glsl"
 #include "lib/strips.glsl"
 
 layout(std430, binding = SSBO_STRIP_SUMS) buffer StripSums { uvec4 stripSums[]; };
-#ifdef ROWS
-layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
-#endif
+
+#ifdef GROUP_SUMS
+#include "lib/group_scan.glsl"
 
 void main() {
-#ifdef ROWS
-  uint first = rowIndex(0u);
-  uint count = uint(frame.size.y);
+  uint strips = stripsPerRow();
+  uint lane = gl_LocalInvocationIndex % uint(STRIP);
+  for (uint i = gl_LocalInvocationIndex / uint(STRIP); i < uint(PREFIX_ROWS); i += uint(SCAN_GROUP / STRIP)) {
+    uint row = gl_WorkGroupID.y * uint(PREFIX_ROWS) + i;
+    bool inside = row < uint(frame.size.y);
+    uvec4 before = uvec4(0u);
+    for (uint first = 0u; first < strips; first += uint(STRIP)) {
+      uint at = row * strips + first + lane;
+      bool there = inside && first + lane < strips;
+      uvec4 own = there ? stripSums[at] : uvec4(0u);
+      uvec4 upTo = sumUpTo(own, uint(STRIP));
+      if (there) stripSums[at] = before + upTo - own;
+      before += sumOfAll(uint(STRIP));
+    }
+    if (inside && lane == 0u) stripSums[rowIndex(row)] = before;
+  }
+}
 #else
-  uint row = gl_GlobalInvocationID.x;
+void main() {
+  uint row = gl_WorkGroupID.y * uint(PREFIX_ROWS) + gl_LocalInvocationIndex;
   if (row >= uint(frame.size.y)) return;
-  uint count = stripsPerRow();
-  uint first = row * count;
-#endif
+  uint strips = stripsPerRow();
   uvec4 before = uvec4(0u);
-  for (uint i = 0u; i < count; ++i) {
-    uvec4 own = stripSums[first + i];
-    stripSums[first + i] = before;
+  for (uint i = row * strips; i < (row + 1u) * strips; ++i) {
+    uvec4 own = stripSums[i];
+    stripSums[i] = before;
     before += own;
   }
-#ifdef ROWS
-  totals.demand = before;
-#else
   stripSums[rowIndex(row)] = before;
-#endif
 }
+#endif

@@ -1,7 +1,6 @@
 // Counts the covered pixels whose share of M - C slots rounds to no layer, Z of oit/allocate.comp,
 // which reserves one layer for each of them.
-#include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #include "lib/oit.glsl"
@@ -14,14 +13,15 @@ layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
 void main() {
   uint slots = frame.slots;
   if (slots < totals.covered) return;  // not one layer each: oit/allocate.comp selects pixels
-  double total = double(totals.importanceHigh) * 4294967296.0lf + double(totals.importanceLow);
+  uvec2 total = uvec2(totals.importanceLow, totals.importanceHigh);
   uint least = slots - totals.covered;
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(first.x + STRIP, int(frame.size.x));
   uint starved = 0u;
-  for (ivec2 p = first; p.x < end; ++p.x) {
+  ivec2 p = firstPlace();
+  int places = placesInside(p, ivec2(frame.size));
+  for (int i = 0; i < places; ++i, p += kPlaceStep) {
     if (texelFetch(fragmentCount, p, 0).r == 0.0) continue;
-    if (share(imageLoad(importance, p).r, least, total) == 0u) ++starved;
+    if (hasNoShare(imageLoad(importance, p).r, least, total)) ++starved;
   }
-  if (starved > 0u) atomicAdd(totals.starved, starved);
+  uint all = groupTotal(uvec4(starved, 0u, 0u, 0u), bvec4(false)).x;
+  if (addsForGroup() && all > 0u) atomicAdd(totals.starved, all);
 }

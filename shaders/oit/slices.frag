@@ -50,9 +50,9 @@ void main() {
   uint at = sliceBase(first) + slice;
   uvec4 words = encodeSlice(tau, color);
 #ifdef SYNC_ORDERED
-  slices[at] += words;
+  slices[at] += withCarry(words, slices[at].x);
 #else
-  atomicAdd(slices[at].x, words.x);
+  words = withCarry(words, atomicAdd(slices[at].x, words.x));
   atomicAdd(slices[at].y, words.y);
   atomicAdd(slices[at].z, words.z);
   atomicAdd(slices[at].w, words.w);

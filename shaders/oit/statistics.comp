@@ -1,8 +1,7 @@
 // Sums for the report, after a frame, what became of its fragments.
 // SLOTS_RANGES: slots are those of fragmentRange; otherwise the same for all pixels. FILLS: slots in use
 // were counted.
-#include "shared/oit_constants.h"
-layout(local_size_x = STRIP_GROUP) in;
+#include "lib/tile.glsl"
 
 #include "lib/frame.glsl"
 #define RANGES
@@ -15,10 +14,10 @@ layout(std430, binding = SSBO_OIT_STATISTICS) buffer Statistics { OitStatistics 
 layout(location = 0) uniform uint tailOfConstant;  // slots of a tail where n exceeds the slots
 
 void main() {
-  ivec2 first = ivec2(int(gl_GlobalInvocationID.x) * STRIP, int(gl_WorkGroupID.y));
-  int end = min(first.x + STRIP, int(frame.size.x));
   OitStatistics s = OitStatistics(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-  for (ivec2 p = first; p.x < end; ++p.x) {
+  ivec2 p = firstPlace();
+  int places = placesInside(p, ivec2(frame.size));
+  for (int i = 0; i < places; ++i, p += kPlaceStep) {
     uint n = uint(texelFetch(fragmentCount, p, 0).r);
     if (n == 0u) continue;
 #ifdef SLOTS_RANGES
@@ -48,14 +47,17 @@ void main() {
     s.kMax = max(s.kMax, k);
     s.kMinInverted = max(s.kMinInverted, ~k);
   }
-  if (s.covered == 0u) return;
-  atomicAdd(statistics.generated, s.generated);
-  atomicAdd(statistics.stored, s.stored);
-  atomicAdd(statistics.merged, s.merged);
-  atomicAdd(statistics.tails, s.tails);
-  atomicAdd(statistics.slots, s.slots);
-  atomicAdd(statistics.covered, s.covered);
-  atomicMax(statistics.countMax, s.countMax);
-  atomicMax(statistics.kMax, s.kMax);
-  atomicMax(statistics.kMinInverted, s.kMinInverted);
+  uvec4 fragments = groupTotal(uvec4(s.generated, s.stored, s.merged, s.tails), bvec4(false));
+  uvec2 pixels = groupTotal(uvec4(s.slots, s.covered, 0u, 0u), bvec4(false)).xy;
+  uvec3 most = groupTotal(uvec4(s.countMax, s.kMax, s.kMinInverted, 0u), bvec4(true)).xyz;
+  if (!addsForGroup() || pixels.y == 0u) return;
+  atomicAdd(statistics.generated, fragments.x);
+  atomicAdd(statistics.stored, fragments.y);
+  atomicAdd(statistics.merged, fragments.z);
+  atomicAdd(statistics.tails, fragments.w);
+  atomicAdd(statistics.slots, pixels.x);
+  atomicAdd(statistics.covered, pixels.y);
+  atomicMax(statistics.countMax, most.x);
+  atomicMax(statistics.kMax, most.y);
+  atomicMax(statistics.kMinInverted, most.z);
 }

@@ -6,13 +6,6 @@
 // and a sum over 2^28 pixels fits 64 bits.
 #define IMPORTANCE_ONE 65536u
 
-// Pixels that one thread sums before it adds to a shared counter. Fewer, and atomics dominate;
-// more, and a GPU has too few threads to fill it.
-#define STRIP 32
-
-// Threads of a work-group of the strip passes.
-#define STRIP_GROUP 64
-
 // Times that a spin lock is waited for, with some tries each (lib/pixel_lock.glsl). A pixel's
 // contenders are the fragments in flight over it, some thousands at the most; each holds the lock for
 // one insertion.
@@ -27,9 +20,13 @@
 #define MAX_PIXEL_LAYERS 65535u
 
 // Fixed point of depth slices: steps in one unit of optical depth, and where the count of fragments
-// stands above it: 2^10 fragments and an optical depth of 2^12 a slice.
+// stands above it, with room for 2^10 fragments and an optical depth of 2^12 a slice.
 #define SLICE_STEPS 1024.0
 #define SLICE_COUNT_SHIFT 22
+// Where how often either ran over stands above the sums of colour (shaders/lib/slices.glsl). A
+// fragment adds less than 2^15 + 1 to such a sum and 2^13 + 1 to optical depth: 8,191 fragments a slice
+// fit.
+#define SLICE_CARRY_SHIFT 28
 // A transmittance of 1/256: less cannot be told from nothing in 8 bits.
 #define SLICE_MAX_DEPTH 8.0
 // Radiance beyond white, so that highlights count but do not drown the rest.

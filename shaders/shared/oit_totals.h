@@ -33,6 +33,8 @@ struct OitTotals {
                       // those of the farthest; w: pixels with a fragment; for networks
   uvec4 demand;       // slots, of all pixels: the least of each, their demand at a high multiplier,
                       // at a low one, a slot for every fragment
+  uvec4 cut;          // the budget M among these amounts: x: how many of them are within it; y, z:
+                      // (M - A) / (B - A) of oit/share.comp in steps of 2^-64, low and high word
   uvec4 dispatches[OIT_LISTS];                     // of each list: shaders/lib/list_dispatch.glsl
   uvec4 sampledDemand[MULTIPLIER_VECTORS_IN_ALL];  // of the sample, at each candidate
 };

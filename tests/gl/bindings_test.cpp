@@ -298,13 +298,13 @@ const Members kInstance{OFFSET(Instance, modelRow0),  OFFSET(Instance, modelRow1
 const Members kMaterial{OFFSET(MaterialData, baseColor), OFFSET(MaterialData, emissive),
                         OFFSET(MaterialData, surface), OFFSET(MaterialData, transmission),
                         OFFSET(MaterialData, flags)};
-const Members kOitTotalsMembers{
-    OFFSET(OitTotals, importanceLow), OFFSET(OitTotals, importanceHigh),
-    OFFSET(OitTotals, covered),       OFFSET(OitTotals, starved),
-    OFFSET(OitTotals, cursor),        OFFSET(OitTotals, countMax),
-    OFFSET(OitTotals, lockFailures),  OFFSET(OitTotals, oneLayer),
-    OFFSET(OitTotals, extent),        OFFSET(OitTotals, demand),
-    ELEMENT(OitTotals, dispatches),   ELEMENT(OitTotals, sampledDemand)};
+const Members kOitTotalsMembers{OFFSET(OitTotals, importanceLow), OFFSET(OitTotals, importanceHigh),
+                                OFFSET(OitTotals, covered),       OFFSET(OitTotals, starved),
+                                OFFSET(OitTotals, cursor),        OFFSET(OitTotals, countMax),
+                                OFFSET(OitTotals, lockFailures),  OFFSET(OitTotals, oneLayer),
+                                OFFSET(OitTotals, extent),        OFFSET(OitTotals, demand),
+                                OFFSET(OitTotals, cut),           ELEMENT(OitTotals, dispatches),
+                                ELEMENT(OitTotals, sampledDemand)};
 const Members kStatistics{OFFSET(OitStatistics, generated), OFFSET(OitStatistics, stored),
                           OFFSET(OitStatistics, merged),    OFFSET(OitStatistics, slots),
                           OFFSET(OitStatistics, covered),   OFFSET(OitStatistics, countMax),

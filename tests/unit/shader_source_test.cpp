@@ -176,7 +176,8 @@ void addPlainTransparent(std::vector<Variant>& all) {
     addCombinations(all, "oit/peel.frag", together(testedIds, {{stage, "1"}}), {"TEXTURED"});
   }
   addCombinations(all, "oit/importance.comp", {}, {"FACTORS"});
-  addCombinations(all, "oit/prefix.comp", {}, {"ROWS"});
+  addCombinations(all, "oit/prefix.comp", {}, {});
+  addCombinations(all, "oit/prefix_rows.comp", {}, {});
   addCombinations(all, "oit/atomic_keys.frag", ids, {"STAGE_IDS"});
   addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_DEPTH", "1"}}), {});
   addCombinations(all, "oit/peel.frag", together(ids, {{"STAGE_IDS", "1"}}), {});
@@ -283,9 +284,16 @@ TEST(ShaderVariants, EveryOneCompiles) {
   std::string command = "glslangValidator";
   int number = 0;
   for (const Variant& variant : allVariants()) {
-    const std::string name = std::to_string(number++) + fs::path(variant.file).extension().string();
-    folder.write(name, assembleShader(kShaders, variant.file, variant.defines, variant.extensions));
-    command += " " + (folder.path() / name).string();
+    for (const bool groups : {false, true}) {
+      Defines defines = variant.defines;
+      if (groups) defines.emplace_back("GROUP_SUMS", "1");
+      const std::string text = assembleShader(kShaders, variant.file, defines, variant.extensions);
+      if (groups && text.find("#ifdef GROUP_SUMS") == std::string::npos) continue;
+      const std::string name =
+          std::to_string(number++) + fs::path(variant.file).extension().string();
+      folder.write(name, text);
+      command += " " + (folder.path() / name).string();
+    }
   }
   const fs::path log = folder.path() / "log.txt";
   const int status = std::system((command + " >" + log.string() + " 2>&1").c_str());

@@ -41,7 +41,7 @@ class ImportancePass final : public OitComputePass {
     glUniform4f(0, static_cast<float>(s.rangeBias), static_cast<float>(s.periphery),
                 static_cast<float>(s.noise), plan_.layerLimit);
     glUniform1ui(1, plan_.seed + (s.noisePerFrame ? context.inputs().frameIndex : 0U));
-    dispatchStrips(context, plan_.size);
+    dispatchTiles(context, plan_.size);
   }
 };
 

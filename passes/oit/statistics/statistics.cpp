@@ -42,7 +42,7 @@ class StatisticsPass final : public OitPass {
     context.beginStep(1);
     glUseProgram(program_);
     glUniform1ui(0, plan_.hasTail() ? plan_.tailSlots() : 0U);
-    dispatchStrips(context, plan_.size);
+    dispatchTiles(context, plan_.size);
   }
 
   GLuint program_ = 0;

@@ -44,7 +44,7 @@ class CoveredPass : public OitComputePass {
   }
 
   void dispatch(const frame::PassContext& context) override {
-    dispatchStrips(context, (plan_.size + side() - 1) / side());
+    dispatchTiles(context, (plan_.size + side() - 1) / side());
   }
 
   std::string_view name_;

@@ -15,10 +15,10 @@
 //   2. oit.marginalDemand: k_p(L+) and k_p(L-), for utilities that are expensive, by covered tiles.
 //      Other utilities are a part of the next step.
 //   3. oit.demand: sums of least_p, k_p(L+), k_p(L-) and n_p over each strip of 32 pixels.
-//   4. oit.prefix, oit.prefixRows: sums of all strips before each strip, and of the image.
-//   5. oit.share: with A <= M < B the two next to M among 0 and the four sums of the image, and
-//      a_p, b_p the pixel's part of A and B (shaders/oit/share.comp),
-//        k_p = a_p + floor(r S_p) - floor(r S_(p-1)),  r = (M - A) / (B - A),
+//   4. oit.prefix, oit.prefixRows: sums of all strips before each strip, and of the image; which of
+//      the latter, or 0, are the two next to M, A <= M < B; and r = (M - A) / (B - A).
+//   5. oit.share: with a_p, b_p the pixel's part of A and B (shaders/oit/share.comp),
+//        k_p = a_p + floor(r S_p) - floor(r S_(p-1)),
 //        S_p = sum over q <= p of b_q - a_q,
 //      so that sum k_p = M exactly. The same sums say where each pixel's range of slots begins.
 // From 3 on all is integer arithmetic: no order of threads changes a bit.
@@ -162,13 +162,13 @@ class DemandPass final : public OitComputePass {
 
   void dispatch(const frame::PassContext& context) override {
     if (!isStored()) setDemandUniforms(plan_);
-    dispatchStrips(context, plan_.size);
+    dispatchTiles(context, plan_.size);
   }
 };
 
 class PrefixPass final : public OitComputePass {
  public:
-  /// @param rows false: the strips of a row, by a thread a row; true: the rows, by one thread
+  /// @param rows false: the strips of each row; true: the rows, by one group
   PrefixPass(const OitPlan& plan, bool rows) : OitComputePass(plan), rows_(rows) {}
   [[nodiscard]] std::string_view name() const override {
     return rows_ ? "oit.prefixRows" : "oit.prefix";
@@ -183,15 +183,14 @@ class PrefixPass final : public OitComputePass {
   [[nodiscard]] bool wanted() const override { return plan_.sharesByUtility(); }
 
   [[nodiscard]] gl::ProgramKey program() const override {
-    const gl::Defines defines = rows_ ? gl::Defines{{"ROWS", "1"}} : gl::Defines{};
-    return {{"oit/prefix.comp"}, defines, {}};
+    return {{rows_ ? "oit/prefix_rows.comp" : "oit/prefix.comp"}, {}, {}};
   }
 
   void dispatch(const frame::PassContext& context) override {
     if (rows_) {
       context.dispatch({1, 1}, {1, 1});
     } else {
-      context.dispatch({plan_.size.y, 1}, {STRIP_GROUP, 1});
+      context.dispatch({1, plan_.size.y}, {1, PREFIX_ROWS});
     }
   }
 
