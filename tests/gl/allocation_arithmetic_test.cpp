@@ -64,7 +64,7 @@ class Probe {
   fs::path folder_;
 };
 
-constexpr int kCases = 200000;
+constexpr int kRandomCases = 200000;
 
 /// Numbers of all magnitudes below 2^bits.
 std::uint64_t anyBelow(int bits, std::mt19937_64& random) {
@@ -79,7 +79,7 @@ TEST_F(Arithmetic, AShareIsRoundedDownExactly) {
     cases.push_back({static_cast<std::uint32_t>(importance), static_cast<std::uint32_t>(slots),
                      static_cast<std::uint32_t>(total), static_cast<std::uint32_t>(total >> 32)});
   };
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < kRandomCases; ++i) {
     const std::uint64_t importance = anyBelow(18, random);
     const std::uint64_t slots = anyBelow(29, random);
     add(importance, slots, importance + anyBelow(44, random));
@@ -107,7 +107,7 @@ TEST_F(Arithmetic, AShareIsRoundedDownExactly) {
 TEST_F(Arithmetic, WhatIsGrantedIsRoundedDownExactly) {
   std::mt19937_64 random(2);
   std::vector<Probe::Case> cases;
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < kRandomCases; ++i) {
     const std::uint64_t extra = 1 + anyBelow(32, random) % 0xFFFFFFFFU;  // B - A
     const std::uint64_t part = random() % extra;                         // M - A
     std::uint64_t sum = random() % (extra + 1);
