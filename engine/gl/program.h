@@ -27,7 +27,7 @@ struct ProgramKey {
 /// context.
 class ProgramCache {
  public:
-  /// Called while programs are made, twice for each. @param done steps, from 1 · @param total of them
+  /// Called twice for each program while they are made. @param done steps, from 1 · @param total
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
   /// @param binaries of earlier runs
