@@ -155,8 +155,8 @@ IoStatus writePng(const char* path, std::int32_t width, std::int32_t height, std
   });
 }
 
-IoStatus writeExr(const char*, std::int32_t, std::int32_t, std::int32_t, const float*,
-                  IoMessage* message) {
+IoStatus writeExr(const char* /*path*/, std::int32_t /*width*/, std::int32_t /*height*/,
+                  std::int32_t /*channels*/, const float* /*pixels*/, IoMessage* message) {
   return noExr(message);
 }
 
