@@ -224,18 +224,18 @@ TEST_F(NoStall, APoolThatIsTooSmallGrowsForTheFramesAfterIt) {
     late.draw();  // looks away: the pool stays small
     late.camera = there;
     const auto gaze = gaze::exactPoint(glm::vec2(0.5F));
-    std::optional<passes::FrameResult> short_;
-    while (!short_) {
+    std::optional<passes::FrameResult> incomplete;
+    while (!incomplete) {
       late.renderer.draw(late.camera, gaze, true);
-      short_ = late.renderer.takeResult();
+      incomplete = late.renderer.takeResult();
     }
-    EXPECT_GT(short_->overflows, 0U) << method;
-    EXPECT_FALSE(short_->exact) << method;
+    EXPECT_GT(incomplete->overflows, 0U) << method;
+    EXPECT_FALSE(incomplete->exact) << method;
     late.renderer.draw(late.camera, gaze, true);
     EXPECT_EQ(late.linear(), now.linear()) << method;
     const passes::FrameResult next = late.renderer.waitForResult();
     EXPECT_TRUE(next.exact) << method;
-    EXPECT_EQ(next.overflows, short_->overflows) << method << ": and no frame more";
+    EXPECT_EQ(next.overflows, incomplete->overflows) << method << ": and no frame more";
     EXPECT_EQ(next.recaptures, 0) << method;
   }
 }
