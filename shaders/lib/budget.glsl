@@ -10,7 +10,8 @@ struct Budget {
 };
 
 Budget budgetOf(uint slots, uvec2 total) {
-  return Budget(slots, total, total == uvec2(0u) ? 0.0 : float(slots) / wideFloat(total));
+  if (total == uvec2(0u)) total.x = 1u;  // no part of it has any importance either
+  return Budget(slots, total, float(slots) / wideFloat(total));
 }
 
 /// floor(importance * slots / total), at most MAX_PIXEL_LAYERS; 0 where the total is 0.
