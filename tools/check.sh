@@ -29,16 +29,10 @@ fi
 log=build/$preset/check.log
 status=0
 ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)" | tee "$log" || status=$?
-<<<<<<< HEAD
 echo "What was compared: shaders and tables, barriers and memory of random frames, orders of insertion,"
-echo "two drivers (these tests ran in any case, so their counts must be there):"
-compared='(NOTE +\] (Bindings\.|[0-9]+ lists|InsertionModel|Contention))|^second driver: '
+echo "two drivers, the bundle (these tests ran in any case, so their counts must be there):"
+compared='(NOTE +\] (Bindings\.|[0-9]+ lists|InsertionModel|Contention))'
+compared+='|^second driver: |^bundle: [0-9]+ sections'
 grep -h -E "$compared" "build/$preset/Testing/Temporary/LastTest.log" | sort -u || status=1
-=======
-echo "What was compared (shaders, barriers and memory of random frames, two drivers, the bundle):"
-compared='(NOTE +\] (Bindings\.|[0-9]+ lists))|^second driver: |^bundle: [0-9]+ sections'
-grep -h -E "$compared" "build/$preset/Testing/Temporary/LastTest.log" |
-  sort -u || status=1  # these tests ran in any case, so their counts must be there
->>>>>>> 9cacbb8 (A folder that runs where nothing is installed but a driver: tools/bundle.sh, its report of devices, tests and times, and a test that runs it in an empty root)
 sed -n '/tests passed/,$p' "$log"
 ((status == 0))

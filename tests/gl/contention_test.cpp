@@ -121,9 +121,14 @@ class Contention {
       glClearTexImage(image->id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
     }
     glClearTexImage(normal_.id(), 0, GL_RGBA, GL_BYTE, nullptr);
-    // Zero looks like the nearest depth: what an unwritten slot must not be taken for.
+    // What an unwritten slot must not be taken for: the nearest depth, which zero is in 8 bytes. A
+    // tail begins with zero.
     for (const gl::Buffer* buffer : {&keys_, &colors_, &totals_, &waitCount_, &arrivals_}) {
       glClearNamedBufferData(buffer->id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    }
+    if (!variant_.tail && !variant_.packed) {
+      const GLuint nearest = ~std::bit_cast<std::uint32_t>(1.0F);
+      glClearNamedBufferData(keys_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &nearest);
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glBindImageTexture(IMG_1, fill_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
