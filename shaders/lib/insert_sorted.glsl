@@ -4,12 +4,8 @@
 // fragmentFill holds the number of slots in use. Without a tail, once all of them are, it holds
 // FILL_FULL and the farthest stored depth instead: one word, written last, which a test outside of
 // the lock can read. UNSAFE_PRETEST, for tests that must find it: the number alone, written first, and
-// a look at the farthest fragment, which may not have been written yet; UNSAFE_PAUSE: a statement
-// between the two.
+// a look at the farthest fragment, which may not have been written yet.
 
-#if defined(UNSAFE_PRETEST) && !defined(UNSAFE_PAUSE)
-#define UNSAFE_PAUSE
-#endif
 #if !defined(TAIL_IN_SLOT) && !defined(UNSAFE_PRETEST)
 #define FARTHEST_IN_FILL
 #endif
@@ -42,7 +38,6 @@ void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
   uint last = full ? fill - 1u : fill;
 #ifdef UNSAFE_PRETEST
   if (!full) imageStore(fragmentFill, p, uvec4(fill + 1u));
-  UNSAFE_PAUSE
 #endif
 #ifdef TAIL_IN_SLOT
   if (full && slots.tail) {

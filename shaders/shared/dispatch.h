@@ -9,10 +9,10 @@
 // Threads of a work-group that walks a list.
 #define LIST_GROUP 64
 
-// The tile of places that a work-group of the passes over the whole image takes (shaders/lib/tile.glsl),
-// in strips: parts of its rows. Where slots are scarce, each strip shares out its own
-// (shaders/oit/allocate.comp). 256 threads hide each other's waiting on any GPU, and 1,024 places keep
-// additions to the totals rare.
+// The tile of places that a work-group of the passes over the whole image takes
+// (shaders/lib/tile.glsl), in strips: parts of its rows. Where slots are scarce, each strip shares
+// out its own (shaders/oit/allocate.comp). 256 threads hide each other's waiting on any GPU, and
+// 1,024 places keep additions to the totals rare.
 #define STRIP 32
 #define TILE_WIDTH 256
 #define TILE_HEIGHT 4

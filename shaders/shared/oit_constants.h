@@ -7,8 +7,8 @@
 #define IMPORTANCE_ONE 65536u
 
 // Times that a spin lock is waited for, with some tries each (lib/pixel_lock.glsl). A pixel's
-// contenders are the fragments in flight over it, some thousands at the most; each holds the lock for
-// one insertion.
+// contenders are the fragments in flight over it, some thousands at the most; each holds the lock
+// for one insertion.
 #define LOCK_BOUND 32768
 
 // Fragments of one pixel that the resolve sorts in registers or local memory; deeper pixels are
@@ -24,8 +24,8 @@
 #define SLICE_STEPS 1024.0
 #define SLICE_COUNT_SHIFT 22
 // Where how often either ran over stands above the sums of colour (shaders/lib/slices.glsl). A
-// fragment adds less than 2^15 + 1 to such a sum and 2^13 + 1 to optical depth: 8,191 fragments a slice
-// fit.
+// fragment adds less than 2^15 + 1 to such a sum and 2^13 + 1 to optical depth: 8,191 fragments a
+// slice fit.
 #define SLICE_CARRY_SHIFT 28
 // A transmittance of 1/256: less cannot be told from nothing in 8 bits.
 #define SLICE_MAX_DEPTH 8.0

@@ -26,9 +26,6 @@ layout(location = 4) uniform uint runs;
 uint pixel;
 uint number;  // of the fragment, in its pixel
 
-// A microsecond on llvmpipe: long enough that another thread comes in between now and then.
-#define UNSAFE_PAUSE \
-  for (int i = 0; i < 64; ++i) atomicAdd(arrivals[pixel], 0u);
 #define FRONT_NORMAL
 vec3 frontNormalOfFragment() { return vec3(float(number) / 127.0); }
 #include "lib/insert_sorted.glsl"
