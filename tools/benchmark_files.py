@@ -30,7 +30,9 @@ class BenchmarkError(Exception):
 
 
 def write(path, about, columns, rows):
-    """Writes a result file. @param about key to text, the lines above the table"""
+    """Writes a result file. @param about key to text, the lines above the table: how it was measured"""
+    if about.get("commit", "").endswith("-dirty"):
+        raise BenchmarkError(f"{path}: measured by changed sources; commit the changes, build, and measure again")
     text = io.StringIO()
     for key, value in about.items():
         text.write(f"# {key}: {value}\n")

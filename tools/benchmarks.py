@@ -125,6 +125,9 @@ def claim_lines(name, rows, notes):
     places = [place(row) for row in rows]
     columns = list(dict.fromkeys(scene for scene, _ in places))
     labels = list(dict.fromkeys(label for _, label in places))
+    if len(labels) == 1:  # a table of one row
+        of = f" ({labels[0]})" if labels[0] else ""
+        return [text, "", "; ".join(f"{at} {cell(row)}" for row, (at, _) in zip(rows, places)) + f"{of}.", ""]
     lines = [text, "", "| | " + " | ".join(columns) + " |", "|---|" + "---|" * len(columns)]
     for label in labels:
         cells = ["; ".join(cell(row) for row, at in zip(rows, places) if at == (scene, label)) or "-"
@@ -169,6 +172,16 @@ def plant_lines(about, rows):
     return lines
 
 
+def table_lines(about, rows):
+    """A file that is its own table."""
+    text = f"`{about['command']}`, commit {about['commit']}"
+    if about.get("before"):
+        text += f" after {about['before']}"
+    lines = ["", f"## {about['title']}", "", f"{text}, {about['date']}; {about['sizes']}; n = {about['rounds']}.", "",
+             "| " + " | ".join(rows[0]) + " |", "|---" * len(rows[0]) + "|"]
+    return [*lines, *("| " + " | ".join(row.values()) + " |" for row in rows)]
+
+
 def page():
     """BENCHMARKS.md as the files have it."""
     notes = tomllib.loads(NOTES.read_text(encoding="utf-8"))
@@ -177,6 +190,8 @@ def page():
         about, rows = files.read(path.name)
         if "law" in rows[0]:
             lines += plant_lines(about, rows)
+        elif about.get("kind") == "table":
+            lines += table_lines(about, rows)
         elif path.name.endswith(".claims.csv"):
             lines += heading(about)
             points = path.name.replace(".claims", "")
