@@ -7,6 +7,7 @@
 #include "engine/scene/load.h"
 #include "engine/scene/procedural/recipes.h"
 #include "gl_fixture.h"
+#include "shared/oit_constants.h"
 
 namespace macula::test {
 namespace {
@@ -151,6 +152,11 @@ TEST_F(GlTest, OpaqueDepthHidesEveryFragmentBehindIt) {
   }
 }
 
+/// Fragments of a pixel by its fill (shaders/lib/insert_sorted.glsl) and its range.
+std::uint32_t storedIn(std::uint32_t fill, std::uint32_t range) {
+  return std::min(fill & ~RANGE_TAIL, range & ~RANGE_TAIL);
+}
+
 /// Sorted keys of each pixel of the exact method: the oracle of which fragments are nearest.
 std::map<std::size_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> keysOf(Bench& bench) {
   const auto ranges = bench.words(passes::kFragmentRange, 2);
@@ -158,7 +164,7 @@ std::map<std::size_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> keys
   const auto keys = bench.bufferWords(passes::kFragmentKeys);
   std::map<std::size_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> result;
   for (std::size_t p = 0; p < fill.size(); ++p) {
-    for (std::size_t i = 0; i < fill[p]; ++i) {
+    for (std::size_t i = 0; i < storedIn(fill[p], ranges[2 * p + 1]); ++i) {
       const std::size_t slot = 2 * (ranges[2 * p] + i);
       result[p].emplace_back(keys[slot], keys[slot + 1]);
     }
@@ -201,9 +207,9 @@ TEST_P(Budget, IsNeverExceededAndTheNearestAreKept) {
         EXPECT_FALSE(taken[ranges[2 * p] + s]) << "ranges overlap";
         taken[ranges[2 * p] + s] = true;
       }
-      EXPECT_EQ(fill[p], std::min(n, k));
+      EXPECT_EQ(storedIn(fill[p], k), std::min(n, k));
       sum += k;
-      stored += fill[p];
+      stored += storedIn(fill[p], k);
     }
     EXPECT_LE(sum, slots);
     EXPECT_EQ(result.fragments->stored, stored);
