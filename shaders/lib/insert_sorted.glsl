@@ -3,10 +3,11 @@
 //
 // fragmentFill holds the number of slots in use. Without a tail, once all of them are, it holds
 // FILL_FULL and the farthest stored depth instead: one word, written last, which a test outside of
-// the lock can read. UNSAFE_PRETEST, for tests that must find it: the number alone, written first, and
-// a look at the farthest fragment, which may not have been written yet.
+// the lock can read. SYNC_ORDERED has no lock, and may look at the slots themselves, which is faster.
+// UNSAFE_PRETEST does so too, and writes the number first: for tests that must find this, because the
+// farthest fragment may not have been written yet.
 
-#if !defined(TAIL_IN_SLOT) && !defined(UNSAFE_PRETEST)
+#if !defined(TAIL_IN_SLOT) && !defined(SYNC_ORDERED) && !defined(UNSAFE_PRETEST)
 #define FARTHEST_IN_FILL
 #endif
 
@@ -22,12 +23,11 @@ void addToTail(uint slot, Fragment fragment) {
 bool isRejected(ivec2 p, PixelSlots slots, uvec2 key) {
   uint word = imageLoad(fragmentFill, p).r;
   bool full = storedFragments(word, slots) == slots.capacity;
-#ifdef UNSAFE_PRETEST
-  uint farthest = storedRank(loadFragment(slots.first + slots.capacity - 1u));
+#ifdef FARTHEST_IN_FILL
+  return full && depthRank(key) > (word & ~FILL_FULL);
 #else
-  uint farthest = word & ~FILL_FULL;
+  return full && depthRank(key) > storedRank(loadFragment(slots.first + slots.capacity - 1u));
 #endif
-  return full && depthRank(key) > farthest;
 }
 
 /// Insertion sort by one element. Where the slots are full, the farthest fragment is evicted, into the
@@ -60,7 +60,7 @@ void insertSorted(ivec2 p, PixelSlots slots, uint fill, Fragment fragment) {
 #ifdef FARTHEST_IN_FILL
   uint word = last + 1u == slots.capacity ? FILL_FULL | farthest : fill + 1u;
   imageStore(fragmentFill, p, uvec4(word));
-#elif defined(TAIL_IN_SLOT)
+#elif !defined(UNSAFE_PRETEST)
   if (!full) imageStore(fragmentFill, p, uvec4(fill + 1u));
 #endif
 #ifdef FRONT_NORMAL
