@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/gl/program_interface.h"
 #include "shared/bindings.h"
 
 namespace macula::frame {
@@ -59,30 +60,15 @@ std::string nameOf(GLuint program, GLenum interface, GLuint index) {
   return name.data();
 }
 
-template <std::size_t N>
-std::array<GLint, N> propertiesOf(GLuint program, GLenum interface, GLuint index,
-                                  const std::array<GLenum, N>& properties) {
-  std::array<GLint, N> values{};
-  glGetProgramResourceiv(program, interface, index, N, properties.data(), N, nullptr,
-                         values.data());
-  return values;
-}
-
-GLuint countOf(GLuint program, GLenum interface) {
-  GLint count = 0;
-  glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
-  return static_cast<GLuint>(count);
-}
-
 bool isSceneTexture(std::uint32_t unit) {
   static_assert(TEX_BASE_COLOR == 0);
   return unit < MATERIAL_TEXTURES || unit == TEX_ENVIRONMENT;
 }
 
 void addTextures(std::vector<ShaderBinding>& all, GLuint program) {
-  for (GLuint i = 0; i < countOf(program, GL_UNIFORM); ++i) {
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_UNIFORM); ++i) {
     const auto [type, location, length] =
-        propertiesOf<3>(program, GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_ARRAY_SIZE});
+        gl::propertiesOf<3>(program, GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_ARRAY_SIZE});
     const Kind kind = infoOf(static_cast<GLenum>(type)).kind;
     if (kind == Kind::Value) continue;
     const bool image = kind == Kind::Image;
@@ -98,9 +84,9 @@ void addTextures(std::vector<ShaderBinding>& all, GLuint program) {
 }
 
 void addStorage(std::vector<ShaderBinding>& all, GLuint program) {
-  for (GLuint i = 0; i < countOf(program, GL_SHADER_STORAGE_BLOCK); ++i) {
-    const auto [unit, bytes] = propertiesOf<2>(program, GL_SHADER_STORAGE_BLOCK, i,
-                                               {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE});
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_SHADER_STORAGE_BLOCK); ++i) {
+    const auto [unit, bytes] = gl::propertiesOf<2>(program, GL_SHADER_STORAGE_BLOCK, i,
+                                                   {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE});
     if (unit == SSBO_INSTANCES || unit == SSBO_MATERIALS) continue;
     all.push_back({BindPoint::Storage, static_cast<std::uint32_t>(unit), 0,
                    static_cast<std::size_t>(bytes), nameOf(program, GL_SHADER_STORAGE_BLOCK, i)});
@@ -108,8 +94,8 @@ void addStorage(std::vector<ShaderBinding>& all, GLuint program) {
 }
 
 void addOutputs(std::vector<ShaderBinding>& all, GLuint program) {
-  for (GLuint i = 0; i < countOf(program, GL_PROGRAM_OUTPUT); ++i) {
-    const auto [type, location, fragment] = propertiesOf<3>(
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_PROGRAM_OUTPUT); ++i) {
+    const auto [type, location, fragment] = gl::propertiesOf<3>(
         program, GL_PROGRAM_OUTPUT, i, {GL_TYPE, GL_LOCATION, GL_REFERENCED_BY_FRAGMENT_SHADER});
     if (fragment == 0 || location < 0) continue;  // depth has no location
     all.push_back({BindPoint::ColorTarget, static_cast<std::uint32_t>(location),

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "engine/gl/program_interface.h"
 #include "shared/bindings.h"
 
 namespace macula::frame {
@@ -111,21 +112,6 @@ void addStep(Needs& needs, const Step& step, SceneUse scene) {
   needs.raise(Limit::DrawBuffers, step.outputs.end());
 }
 
-template <std::size_t N>
-std::array<GLint, N> propertiesOf(GLuint program, GLenum interface, GLuint index,
-                                  const std::array<GLenum, N>& properties) {
-  std::array<GLint, N> values{};
-  glGetProgramResourceiv(program, interface, index, N, properties.data(), N, nullptr,
-                         values.data());
-  return values;
-}
-
-GLuint countOf(GLuint program, GLenum interface) {
-  GLint count = 0;
-  glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
-  return static_cast<GLuint>(count);
-}
-
 /// Numbers of one kind of resource by stage, one that two stages use counted twice, as drivers do.
 struct Stages {
   std::int64_t vertex = 0;
@@ -168,20 +154,20 @@ std::vector<Need> needsOf(const PassDeclaration& table) {
 
 std::vector<Need> needsOf(GLuint program) {
   Stages storage;
-  for (GLuint i = 0; i < countOf(program, GL_SHADER_STORAGE_BLOCK); ++i) {
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_SHADER_STORAGE_BLOCK); ++i) {
     const auto [unit, vertex, fragment, compute] =
-        propertiesOf<4>(program, GL_SHADER_STORAGE_BLOCK, i,
-                        {GL_BUFFER_BINDING, GL_REFERENCED_BY_VERTEX_SHADER,
-                         GL_REFERENCED_BY_FRAGMENT_SHADER, GL_REFERENCED_BY_COMPUTE_SHADER});
+        gl::propertiesOf<4>(program, GL_SHADER_STORAGE_BLOCK, i,
+                            {GL_BUFFER_BINDING, GL_REFERENCED_BY_VERTEX_SHADER,
+                             GL_REFERENCED_BY_FRAGMENT_SHADER, GL_REFERENCED_BY_COMPUTE_SHADER});
     storage.add(vertex, fragment, compute, unit);
   }
   Stages images;
   Stages textures;
-  for (GLuint i = 0; i < countOf(program, GL_UNIFORM); ++i) {
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_UNIFORM); ++i) {
     const auto [type, location, vertex, fragment, compute] =
-        propertiesOf<5>(program, GL_UNIFORM, i,
-                        {GL_TYPE, GL_LOCATION, GL_REFERENCED_BY_VERTEX_SHADER,
-                         GL_REFERENCED_BY_FRAGMENT_SHADER, GL_REFERENCED_BY_COMPUTE_SHADER});
+        gl::propertiesOf<5>(program, GL_UNIFORM, i,
+                            {GL_TYPE, GL_LOCATION, GL_REFERENCED_BY_VERTEX_SHADER,
+                             GL_REFERENCED_BY_FRAGMENT_SHADER, GL_REFERENCED_BY_COMPUTE_SHADER});
     if (!isImage(type) && !isSampler(type)) continue;
     GLint unit = 0;
     glGetUniformiv(program, location, &unit);
@@ -189,8 +175,8 @@ std::vector<Need> needsOf(GLuint program) {
   }
   std::int64_t outputs = 0;
   std::int64_t outputEnd = 0;
-  for (GLuint i = 0; i < countOf(program, GL_PROGRAM_OUTPUT); ++i) {
-    const auto [location, fragment] = propertiesOf<2>(
+  for (GLuint i = 0; i < gl::resourceCount(program, GL_PROGRAM_OUTPUT); ++i) {
+    const auto [location, fragment] = gl::propertiesOf<2>(
         program, GL_PROGRAM_OUTPUT, i, {GL_LOCATION, GL_REFERENCED_BY_FRAGMENT_SHADER});
     if (fragment == 0 || location < 0) continue;  // depth has no location
     ++outputs;
