@@ -47,16 +47,6 @@ std::string remedy(const FitInputs& in) {
 
 void checkDevice(const frame::FrameList& list, const FitInputs& in) {
   const gl::Limits& limits = in.device.capabilities.limits;
-  if (in.frame.gpu != nullptr) {
-    const auto bytes = static_cast<std::int64_t>(in.frame.gpu->largestBlockBytes());
-    const std::int64_t most = limits[gl::Limit::StorageBlockBytes];
-    if (bytes > most) {
-      failInput(
-          "the scene's instances or materials take {} bytes, and this GPU takes {} in one buffer "
-          "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); use a scene of fewer objects",
-          bytes, most);
-    }
-  }
   const auto shortage = list.shortage(in.frame, limits);
   if (shortage) failInput("{}; {}", shortage->describe(), remedy(in));
 }

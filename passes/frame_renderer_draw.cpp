@@ -27,6 +27,7 @@ void FrameRenderer::beginFrame(const scene::Camera& camera, const gaze::PointOfI
   const glm::vec2 size(inputs_.displaySize);
   inputs_.view = scene::makeView(camera, size.x / size.y);
   inputs_.gpu->chooseLights(camera, size.x / size.y);
+  inputs_.gpu->chooseVisible(inputs_.view.viewProjection);
   inputs_.gaze = gaze;
   cut_ = cut;
   const bool jumped = history_.camera &&

@@ -1,5 +1,14 @@
 #include "passes/scene_draw.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "shared/bindings.h"
+#include "shared/scene_data.h"
+
 namespace macula::passes {
 
 bool needsShadowMap(const scene::SceneFacts& facts) {
@@ -7,51 +16,93 @@ bool needsShadowMap(const scene::SceneFacts& facts) {
          (facts.litOpaque || facts.litTransparent);
 }
 
-gl::Defines lightingDefines(const scene::SceneFacts& facts) {
+static_assert(static_cast<unsigned>(scene::LightType::Directional) == LIGHT_DIRECTIONAL &&
+              static_cast<unsigned>(scene::LightType::Point) == LIGHT_POINT &&
+              static_cast<unsigned>(scene::LightType::Spot) == LIGHT_SPOT);
+
+gl::Defines lightDefines(const scene::SceneFacts& facts) {
   gl::Defines defines;
-  if (needsShadowMap(facts)) {
-    defines.emplace_back("SHADOWS", "1");
-    if (facts.shadowTaps != scene::kUsualShadowTaps) {
-      defines.emplace_back("SHADOW_TAPS", std::to_string(facts.shadowTaps));
+  if (facts.lights <= facts.lightTypes.size()) {
+    std::string each;
+    for (std::size_t i = 0; i < facts.lights; ++i) {
+      each += fmt::format("F({}, {}u) ", i, static_cast<unsigned>(facts.lightTypes[i]));
     }
+    defines.emplace_back("EACH_LIGHT(F)", each);
   }
   if (facts.environment) defines.emplace_back("ENVIRONMENT", "1");
   return defines;
 }
 
-std::size_t SceneVariants::indexOf(const scene::DrawRun& run) {
-  return (run.lit ? 1U : 0U) | (run.texturedMaterial != scene::kNone ? 2U : 0U) |
-         (run.mask ? 4U : 0U) | (run.holed ? 8U : 0U);
+gl::Defines lightingDefines(const scene::SceneFacts& facts) {
+  gl::Defines defines = lightDefines(facts);
+  if (!needsShadowMap(facts)) return defines;
+  defines.emplace_back("SHADOWS", "1");
+  if (facts.lights <= facts.lightTypes.size()) {
+    defines.emplace_back("SHADOW_LIGHT", std::to_string(facts.shadowLightNumber));
+  }
+  if (facts.shadowTaps != scene::kUsualShadowTaps) {
+    defines.emplace_back("SHADOW_TAPS", std::to_string(facts.shadowTaps));
+  }
+  return defines;
 }
+
+namespace {
+
+constexpr std::array<const char*, MATERIAL_TEXTURES> kMaps{
+    "BASE_COLOR_MAP", "METALLIC_ROUGHNESS_MAP", "NORMAL_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP"};
+static_assert(TEX_BASE_COLOR == 0 && TEX_METALLIC_ROUGHNESS == 1 && TEX_NORMAL == 2 &&
+              TEX_OCCLUSION == 3 && TEX_EMISSIVE == 4);
+
+gl::Defines definesOf(const scene::DrawRun& run, gl::Defines defines) {
+  const auto add = [&defines](const char* name, bool wanted) {
+    if (wanted) defines.emplace_back(name, "1");
+  };
+  const bool positions = std::any_of(defines.begin(), defines.end(), [](const auto& define) {
+    return define.first == "POSITION_ONLY";
+  });
+  const bool tested = run.holed || run.mask;
+  if (positions && !tested) return defines;  // whatever the material is
+  for (auto& define : defines) {
+    if (define.first == "POSITION_ONLY") define.first = "UV_ONLY";
+  }
+  const scene::SurfaceFeatures& f = run.features;
+  add("LIT", run.lit);
+  add("HOLED", run.holed);
+  add("MASK", run.mask);
+  add("TEXTURED", f.textures != 0);
+  for (std::size_t i = 0; i < kMaps.size(); ++i) add(kMaps[i], (f.textures >> i & 1U) != 0);
+  add("SECOND_UV", f.secondUv);
+  add("VERTEX_COLOR", f.vertexColor);
+  add("DOUBLE_SIDED", f.doubleSided);
+  add("TRANSMISSION", f.transmission);
+  return defines;
+}
+
+}  // namespace
 
 void SceneVariants::prepare(std::span<const scene::DrawRun> runs, std::string_view fragment,
                             const gl::Defines& defines, const std::vector<std::string>& extensions,
                             gl::ProgramCache& programs) {
-  programs_.fill(0);
+  programs_.clear();
   for (const scene::DrawRun& run : runs) {
-    GLuint& program = programs_[indexOf(run)];
-    if (program != 0) continue;
-    gl::ProgramKey key{{"scene.vert", std::string(fragment)}, defines, extensions};
-    if (run.lit) key.defines.emplace_back("LIT", "1");
-    if (run.texturedMaterial != scene::kNone) key.defines.emplace_back("TEXTURED", "1");
-    if (run.holed) {
-      for (auto& [name, value] : key.defines) {
-        if (name == "POSITION_ONLY") name = "UV_ONLY";
-      }
-      key.defines.emplace_back("HOLED", "1");
-    }
-    if (run.mask) key.defines.emplace_back("MASK", "1");
-    program = programs.get(key);
+    programs_.push_back(
+        programs.get({{"scene.vert", std::string(fragment)}, definesOf(run, defines), extensions}));
   }
 }
 
 void SceneVariants::draw(const scene::GpuScene& gpu, const scene::DrawList& list,
-                         std::span<const scene::DrawRun> runs) const {
+                         std::span<const scene::DrawRun> runs,
+                         const glm::mat4* shadowViewProjection) const {
   gpu.bindGeometry();
-  for (const scene::DrawRun& run : runs) {
-    glUseProgram(programOf(run));
-    if (run.texturedMaterial != scene::kNone) gpu.bindMaterialTextures(run.texturedMaterial);
-    gpu.draw(list, run);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    glUseProgram(programs_[i]);
+    gpu.bindMaterial(runs[i]);
+    if (shadowViewProjection == nullptr) {
+      gpu.draw(list, runs[i]);
+    } else {
+      glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(*shadowViewProjection));
+      gpu.drawAll(list, runs[i]);
+    }
   }
 }
 

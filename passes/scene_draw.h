@@ -1,9 +1,10 @@
 // Drawing the scene's lists with shaders specialised per run.
 #pragma once
 
-#include <array>
+#include <glm/glm.hpp>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "engine/frame/frame_inputs.h"
 #include "engine/gl/program.h"
@@ -11,33 +12,33 @@
 
 namespace macula::passes {
 
-/// Defines that the lighting functions need for this scene: SHADOWS, SHADOW_TAPS, ENVIRONMENT.
+/// Which lights there are, and ENVIRONMENT: what the lighting functions need without shadows.
+[[nodiscard]] gl::Defines lightDefines(const scene::SceneFacts& facts);
+
+/// Defines that the lighting functions need for this scene (shaders/lib/lighting.glsl).
 [[nodiscard]] gl::Defines lightingDefines(const scene::SceneFacts& facts);
 
 /// Whether a shadow map is worth drawing: a light casts, something opaque can block it, and
 /// something lit receives it.
 [[nodiscard]] bool needsShadowMap(const scene::SceneFacts& facts);
 
-/// The programs for the runs of a draw list: one per combination of lit, textured, mask
-/// and holed.
+/// The programs for the runs of a draw list: one per combination of what their materials have.
 class SceneVariants {
  public:
   /// Compiles the variants that the runs need.
   /// @param fragment shader file · @param defines for all variants; POSITION_ONLY becomes UV_ONLY
-  /// where fragments are tested
+  /// where alpha is tested
   void prepare(std::span<const scene::DrawRun> runs, std::string_view fragment,
                const gl::Defines& defines, const std::vector<std::string>& extensions,
                gl::ProgramCache& programs);
-  /// Draws the runs in order, each with its program, textures and culling.
+  /// Draws the runs in order, each with its program, material and culling.
+  /// @param runs those of prepare() · @param shadowViewProjection for SHADOW variants
   void draw(const scene::GpuScene& gpu, const scene::DrawList& list,
-            std::span<const scene::DrawRun> runs) const;
-  [[nodiscard]] GLuint programOf(const scene::DrawRun& run) const {
-    return programs_[indexOf(run)];
-  }
+            std::span<const scene::DrawRun> runs,
+            const glm::mat4* shadowViewProjection = nullptr) const;
 
  private:
-  static std::size_t indexOf(const scene::DrawRun& run);
-  std::array<GLuint, 16> programs_{};
+  std::vector<GLuint> programs_;  ///< one a run
 };
 
 }  // namespace macula::passes

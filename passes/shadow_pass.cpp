@@ -1,7 +1,5 @@
 #include "passes/shadow_pass.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "engine/gl/render_state.h"
 #include "passes/resources.h"
 
@@ -25,13 +23,8 @@ std::string ShadowPass::reason(const frame::FrameInputs& in) const {
 
 void ShadowPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
   drawn_ = false;
-  const auto& runs = in.gpu->opaque().depthRuns;
-  gl::Defines defines{{"SHADOW", "1"}};
-  // One MASK run needs texture coordinates; then all runs of the list take the longer vertex stage.
-  bool masked = false;
-  for (const scene::DrawRun& run : runs) masked = masked || run.mask;
-  defines.emplace_back(masked ? "UV_ONLY" : "POSITION_ONLY", "1");
-  variants_.prepare(runs, "shadow.frag", defines, {}, programs);
+  variants_.prepare(in.gpu->opaque().depthRuns, "shadow.frag",
+                    {{"SHADOW", "1"}, {"POSITION_ONLY", "1"}}, {}, programs);
 }
 
 void ShadowPass::execute(frame::PassContext& context) {
@@ -45,14 +38,7 @@ void ShadowPass::execute(frame::PassContext& context) {
   gl::apply({.depthTest = true, .depthFunc = GL_LEQUAL, .depthWrite = true});
   constexpr GLfloat kFar = 1.0F;
   glClearBufferfv(GL_DEPTH, 0, &kFar);
-  gpu.bindGeometry();
-  for (const scene::DrawRun& run : gpu.opaque().depthRuns) {
-    const GLuint program = variants_.programOf(run);
-    glUseProgram(program);
-    glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(gpu.shadowViewProjection()));
-    if (run.texturedMaterial != scene::kNone) gpu.bindMaterialTextures(run.texturedMaterial);
-    gpu.draw(gpu.opaque(), run);
-  }
+  variants_.draw(gpu, gpu.opaque(), gpu.opaque().depthRuns, &gpu.shadowViewProjection());
   drawn_ = true;
 }
 

@@ -9,16 +9,15 @@ layout(location = 2) out vec4 outSurface;
 layout(location = 3) out vec3 outEmissive;
 
 void main() {
-  MaterialData m = materials[inIds.x];
-  SurfacePoint s = surfaceAt(m);
+  SurfacePoint s = findSurface();
 #ifdef MASK
   if (s.alpha == 0.0) discard;
 #endif
   outNormalOct = encodeOctahedral(s.normal);
   outBaseColor = vec4(s.baseColor, s.metallic);
-  SurfaceKind kind = SurfaceKind(s.unlit, m.flags.z, s.geometricNormal, false);
-#ifdef TEXTURED
-  kind.mapped = (m.flags.x & MATERIAL_HAS_NORMAL_TEXTURE) != 0u;
+  SurfaceKind kind = SurfaceKind(s.unlit, material.flags.z, s.geometricNormal, false);
+#ifdef NORMAL_MAP
+  kind.mapped = true;
 #endif
   outSurface = vec4(s.roughness, s.occlusion, packKind(kind));
   outEmissive = s.emissive;

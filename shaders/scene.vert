@@ -1,11 +1,16 @@
 // The vertex stage of every pass that draws the scene. One invariant position serves them all, so
-// that a fragment has the same depth wherever it is drawn.
+// that a fragment has the same depth wherever it is drawn. What a program's fragment stage does not
+// read is removed by the linker.
 // SHADOW: from the light's view. POSITION_ONLY: no attributes. UV_ONLY: for alpha tests. WITH_IDS: ids
-// besides the position. LIT with VERTEX_LIGHT, for predictions: the light that reaches the vertex on both
-// of its sides, in place of the inputs of per-fragment lighting; where neither textures (TEXTURED) nor
-// alpha tests (HOLED) need it separately, the lit colours of both sides.
+// besides the position. VERTEX_COLOR, TEXTURED, SECOND_UV: see lib/material.glsl. LIT with
+// VERTEX_LIGHT, for predictions: the light that reaches the vertex on both of its sides, in place of the
+// inputs of per-fragment lighting; where neither textures nor alpha tests (HOLED) need it separately, the
+// lit colours of both sides.
 #include "lib/frame.glsl"
-#include "lib/scene.glsl"
+#include "shared/bindings.h"
+#if !defined(POSITION_ONLY) && (defined(VERTEX_COLOR) || defined(VERTEX_LIGHT))
+#include "lib/run_material.glsl"
+#endif
 #if defined(LIT) && defined(VERTEX_LIGHT)
 #include "lib/lighting.glsl"
 #endif
@@ -15,7 +20,8 @@
 #endif
 
 layout(location = ATTR_POSITION) in vec3 position;
-layout(location = ATTR_INSTANCE) in uint instanceNumber;
+// Rows of the 3x4 object-to-world matrix.
+layout(location = ATTR_MODEL_ROWS) in vec4 modelRows[3];
 #ifndef POSITION_ONLY
 layout(location = ATTR_UV0) in vec2 uv0;
 layout(location = ATTR_UV1) in vec2 uv1;
@@ -23,8 +29,11 @@ layout(location = ATTR_COLOR) in vec4 color;
 #ifndef UV_ONLY
 layout(location = ATTR_NORMAL) in vec3 normal;
 layout(location = ATTR_TANGENT) in vec4 tangent;
+// Rows of the inverse transpose; w of the first: -1 where the transform mirrors, else 1.
+layout(location = ATTR_NORMAL_ROWS) in vec4 normalRows[3];
 #endif
 #endif
+layout(location = ATTR_IDS) in uvec2 ids;  // id of the first triangle, step of the id (1 or -1 as uint)
 
 #ifdef SHADOW
 layout(location = 0) uniform mat4 shadowViewProjection;
@@ -37,11 +46,18 @@ layout(location = 3) out vec4 outFrontLayer;  // of the side that is wound count
 layout(location = 4) out vec4 outBackLayer;
 #else
 #if !defined(POSITION_ONLY) || defined(WITH_IDS)
-layout(location = 2) flat out uvec3 outIds;  // material, id of the first triangle, id step
+layout(location = 2) flat out uvec2 outIds;
 #endif
 #ifndef POSITION_ONLY
+#ifdef SECOND_UV
 layout(location = 0) out vec4 outUv;  // xy: first set, zw: second
+#else
+layout(location = 0) out vec2 outUv;
+#endif
+#ifdef VERTEX_COLOR
+// The base colour: the product is linear over a triangle, too.
 layout(location = 1) out vec4 outColor;
+#endif
 #ifndef UV_ONLY
 #if defined(LIT) && defined(VERTEX_LIGHT)
 layout(location = 3) out vec3 outFrontLight;
@@ -56,61 +72,72 @@ layout(location = 6) flat out float outMirror;
 #endif
 #endif
 
-#if !defined(POSITION_ONLY) && !defined(UV_ONLY)
-/// Not of unit length.
-vec3 turnedNormal(Instance instance) {
-  return vec3(dot(instance.normalRow0.xyz, normal), dot(instance.normalRow1.xyz, normal),
-              dot(instance.normalRow2.xyz, normal));
+/// A direction of the object in the world.
+vec3 turned(vec3 v, vec4 rows[3]) {
+  return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
 }
-#endif
 
 void main() {
-  Instance instance = instances[instanceNumber];
   vec4 local = vec4(position, 1.0);
-  vec3 world =
-      vec3(dot(instance.modelRow0, local), dot(instance.modelRow1, local), dot(instance.modelRow2, local));
+  vec3 world = vec3(dot(modelRows[0], local), dot(modelRows[1], local), dot(modelRows[2], local));
 #ifdef SHADOW
   gl_Position = shadowViewProjection * vec4(world, 1.0);
 #else
   gl_Position = frame.viewProjection * vec4(world, 1.0);
 #endif
 #if defined(LIT) && defined(VERTEX_LIGHT)
-  vec3 turned = turnedNormal(instance);
-  vec3 n = dot(turned, turned) > 0.0 ? normalize(turned) : vec3(0.0, 1.0, 0.0);
+  vec3 direction = turned(normal, normalRows);
+  vec3 n = dot(direction, direction) > 0.0 ? normalize(direction) : vec3(0.0, 1.0, 0.0);
   vec3 frontLight = ambientRadiance(n) + irradianceAt(world, n) / kPi;
+#ifdef DOUBLE_SIDED
   vec3 backLight = ambientRadiance(-n) + irradianceAt(world, -n) / kPi;
+#else
+  vec3 backLight = frontLight;
+#endif
 #endif
 #ifdef VERTEX_LAYER
 #ifndef LIT
   const vec3 frontLight = vec3(1.0);
   const vec3 backLight = vec3(1.0);
 #endif
+#ifdef VERTEX_COLOR
+  vec4 base = material.baseColor * color;
+#else
+  vec4 base = material.baseColor;
+#endif
   // Single-sided runs show front faces only; for the others a mirroring transform swaps the sides.
-  MaterialData m = materials[instance.ids.x];
-  bool twoSided = (m.flags.x & MATERIAL_DOUBLE_SIDED) != 0u;
-  bool mirrors = twoSided && instance.normalRow0.w < 0.0;
-  vec4 front = predictedLayer(m, m.baseColor * color, frontLight);
-  vec4 back = twoSided ? predictedLayer(m, m.baseColor * color, backLight) : front;
+  vec4 front = predictedLayer(base, frontLight);
+#ifdef DOUBLE_SIDED
+  vec4 back = predictedLayer(base, backLight);
+  bool mirrors = normalRows[0].w < 0.0;
   outFrontLayer = mirrors ? back : front;
   outBackLayer = mirrors ? front : back;
 #else
+  outFrontLayer = outBackLayer = front;
+#endif
+#else
 #if !defined(POSITION_ONLY) || defined(WITH_IDS)
-  outIds = instance.ids.xyz;
+  outIds = ids;
 #endif
 #ifndef POSITION_ONLY
+#ifdef SECOND_UV
   outUv = vec4(uv0, uv1);
-  outColor = color;
+#else
+  outUv = uv0;
+#endif
+#ifdef VERTEX_COLOR
+  outColor = material.baseColor * color;
+#endif
 #ifndef UV_ONLY
 #if defined(LIT) && defined(VERTEX_LIGHT)
   outFrontLight = frontLight;
   outBackLight = backLight;
 #else
   outPosition = world;
-  outNormal = turnedNormal(instance);
-  outTangent = vec4(dot(instance.modelRow0.xyz, tangent.xyz), dot(instance.modelRow1.xyz, tangent.xyz),
-                    dot(instance.modelRow2.xyz, tangent.xyz), tangent.w);
+  outNormal = turned(normal, normalRows);  // not of unit length
+  outTangent = vec4(turned(tangent.xyz, modelRows), tangent.w);
 #endif
-  outMirror = instance.normalRow0.w;
+  outMirror = normalRows[0].w;
 #endif
 #endif
 #endif

@@ -7,9 +7,9 @@ void PassDeclaration::viewport(glm::ivec2 size) {
   viewports_[step_] = size;
 }
 
-void PassDeclaration::scene(SceneUse use) {
-  if (scenes_.size() <= step_) scenes_.resize(step_ + 1, SceneUse::None);
-  scenes_[step_] = use;
+void PassDeclaration::scene() {
+  if (scenes_.size() <= step_) scenes_.resize(step_ + 1, false);
+  scenes_[step_] = true;
 }
 
 void PassDeclaration::clear() {

@@ -69,13 +69,6 @@ struct Extent {
   int samples = 1;        ///< of a multisample texture
 };
 
-/// What a step reads of the scene by the buffers that GpuScene binds, beside its rows.
-enum class SceneUse : std::uint8_t {
-  None,
-  Surfaces,     ///< instances in the vertex stage, materials in the fragment stage
-  LitVertices,  ///< materials in the vertex stage, too
-};
-
 /// Collects the binding table of a pass. Rows that depend on settings or scene stand behind an
 /// `if`; rows that may change from frame to frame without a new prepare() are always declared, and
 /// say with when() whether this frame uses them.
@@ -119,8 +112,8 @@ class PassDeclaration {
   /// their rows and orders them after what ran before. A resource may stand in several steps.
   /// @returns its number
   std::uint32_t step() { return ++step_; }
-  /// The present step draws the scene, whose buffers and textures count to the device's limits.
-  void scene(SceneUse use = SceneUse::Surfaces);
+  /// The present step draws the scene, whose textures count to the device's limits.
+  void scene();
   /// Viewport of the targets of the present step, from the lower left; without it, their size.
   void viewport(glm::ivec2 size);
 
@@ -139,8 +132,8 @@ class PassDeclaration {
   [[nodiscard]] glm::ivec2 viewportOf(std::uint32_t step) const {
     return step < viewports_.size() ? viewports_[step] : glm::ivec2(0);
   }
-  [[nodiscard]] SceneUse sceneOf(std::uint32_t step) const {
-    return step < scenes_.size() ? scenes_[step] : SceneUse::None;
+  [[nodiscard]] bool drawsScene(std::uint32_t step) const {
+    return step < scenes_.size() && scenes_[step];
   }
   [[nodiscard]] std::uint32_t steps() const { return step_ + 1; }
   /// Forgets all rows and keeps their memory, so that a frame declares again without allocating.
@@ -154,7 +147,7 @@ class PassDeclaration {
   std::vector<Binding> bindings_;
   std::vector<Extent> extents_;
   std::vector<glm::ivec2> viewports_;
-  std::vector<SceneUse> scenes_;
+  std::vector<bool> scenes_;
   std::uint32_t step_ = 0;
 };
 

@@ -87,7 +87,6 @@ void addStorage(std::vector<ShaderBinding>& all, GLuint program) {
   for (GLuint i = 0; i < gl::resourceCount(program, GL_SHADER_STORAGE_BLOCK); ++i) {
     const auto [unit, bytes] = gl::propertiesOf<2>(program, GL_SHADER_STORAGE_BLOCK, i,
                                                    {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE});
-    if (unit == SSBO_INSTANCES || unit == SSBO_MATERIALS) continue;
     all.push_back({BindPoint::Storage, static_cast<std::uint32_t>(unit), 0,
                    static_cast<std::size_t>(bytes), nameOf(program, GL_SHADER_STORAGE_BLOCK, i)});
   }

@@ -17,8 +17,7 @@ using gl::Limit;
 
 /// Textures that GpuScene binds for the shading of a surface: its material's, the environment.
 constexpr std::int64_t kSceneTextures = MATERIAL_TEXTURES + 1;
-/// Highest units of buffers and textures that GpuScene binds.
-constexpr std::int64_t kSceneStorageBindings = SSBO_MATERIALS + 1;
+/// Texture units up to the highest that GpuScene binds.
 constexpr std::int64_t kSceneTextureUnits = TEX_ENVIRONMENT + 1;
 
 /// Units of one kind that a step binds, alternatives counted once.
@@ -86,28 +85,23 @@ class Needs {
 };
 
 /// A step with targets may dispatch, too: in a frame in which they rest.
-void addStep(Needs& needs, const Step& step, SceneUse scene) {
+void addStep(Needs& needs, const Step& step, bool scene) {
   const std::int64_t storage = step.storage.count();
   const std::int64_t images = step.images.count();
   const std::int64_t textures = step.textures.count();
-  const bool surfaces = scene != SceneUse::None;
-  const std::int64_t vertexStorage = scene == SceneUse::LitVertices ? 2 : surfaces ? 1 : 0;
-  const std::int64_t drawnStorage = storage + (surfaces ? 1 : 0);
-  needs.raise(Limit::StorageBindings,
-              std::max(step.storage.end(), surfaces ? kSceneStorageBindings : 0));
-  needs.raise(Limit::VertexStorageBlocks, vertexStorage);
+  needs.raise(Limit::StorageBindings, step.storage.end());
   needs.raise(Limit::ComputeStorageBlocks, storage);
-  needs.raise(Limit::CombinedStorageBlocks, vertexStorage + drawnStorage);
+  needs.raise(Limit::CombinedStorageBlocks, storage);
   needs.raise(Limit::ImageUnits, step.images.end());
   needs.raise(Limit::ComputeImages, images);
   needs.raise(Limit::CombinedImages, images);
-  needs.raise(Limit::CombinedOutputs, images + vertexStorage + drawnStorage + step.outputs.count());
+  needs.raise(Limit::CombinedOutputs, images + storage + step.outputs.count());
   needs.raise(Limit::ComputeTextures, textures + 1);  // lighting samples the environment
   needs.raise(Limit::TextureUnits, std::max(step.textures.end(), kSceneTextureUnits));
   if (!step.draws) return;
-  needs.raise(Limit::FragmentStorageBlocks, drawnStorage);
+  needs.raise(Limit::FragmentStorageBlocks, storage);
   needs.raise(Limit::FragmentImages, images);
-  needs.raise(Limit::FragmentTextures, textures + (surfaces ? kSceneTextures : 0));
+  needs.raise(Limit::FragmentTextures, textures + (scene ? kSceneTextures : 0));
   needs.raise(Limit::ColorAttachments, step.outputs.end());
   needs.raise(Limit::DrawBuffers, step.outputs.end());
 }
@@ -143,7 +137,7 @@ bool isSampler(GLint type) {
 std::vector<Need> needsOf(const PassDeclaration& table) {
   Needs needs;
   for (std::uint32_t step = 0; step < table.steps(); ++step) {
-    addStep(needs, stepOf(table, step), table.sceneOf(step));
+    addStep(needs, stepOf(table, step), table.drawsScene(step));
   }
   for (const Extent& extent : table.extents()) {
     if (extent.resource->isBuffer()) continue;

@@ -4,6 +4,8 @@
 
 #include "engine/scene/alpha_holes.h"
 #include "engine/scene/gpu_scene.h"
+#include "engine/scene/visibility.h"
+#include "shared/bindings.h"
 
 namespace macula::scene {
 namespace {
@@ -19,23 +21,63 @@ struct DrawCommand {
 
 struct Draw {
   DrawCommand command;
+  Bounds bounds;
   DrawRun key;
 
-  [[nodiscard]] auto order() const {
-    return std::make_tuple(key.cull, key.mask, key.lit, key.texturedMaterial, key.holed,
-                           command.baseInstance);
+  /// Few runs; of transparent draws, in the order of the instances, as far as the state allows, for
+  /// methods whose image depends on it.
+  [[nodiscard]] auto order(bool byMaterial) const {
+    const std::int32_t textured = key.features.textures != 0 ? key.material : kNone;
+    return std::make_tuple(key.cull, key.mask, key.lit, textured, key.holed,
+                           byMaterial ? key.material : kNone, command.baseInstance);
   }
 };
 
 bool sameRun(const DrawRun& a, const DrawRun& b) {
   return a.cull == b.cull && a.lit == b.lit && a.mask == b.mask && a.holed == b.holed &&
-         a.texturedMaterial == b.texturedMaterial;
+         a.features == b.features && a.material == b.material;
 }
 
-bool isTextured(const Material& m) {
-  return m.baseColorTexture.image != kNone || m.metallicRoughnessTexture.image != kNone ||
-         m.normalTexture.image != kNone || m.occlusionTexture.image != kNone ||
-         m.emissiveTexture.image != kNone;
+bool hasVertexColor(const Primitive& primitive) {
+  static constexpr glm::vec4 kWhite(1.0F);
+  return std::any_of(primitive.attributes.begin(), primitive.attributes.end(),
+                     [](const VertexAttributes& v) { return v.color != kWhite; });
+}
+
+SurfaceFeatures featuresOf(const Material& m, bool vertexColor) {
+  SurfaceFeatures f;
+  f.vertexColor = vertexColor;
+  f.doubleSided = m.doubleSided;
+  f.transmission = m.transmission > 0.0F && !m.unlit;
+  const auto add = [&f](const TextureRef& texture, int unit) {
+    if (texture.image == kNone) return;
+    f.textures = static_cast<std::uint8_t>(f.textures | (1U << unit));
+    f.secondUv = f.secondUv || texture.uvSet == 1;
+  };
+  add(m.baseColorTexture, TEX_BASE_COLOR);
+  add(m.normalTexture, TEX_NORMAL);
+  if (m.unlit) return f;  // the others are parts of its light
+  add(m.metallicRoughnessTexture, TEX_METALLIC_ROUGHNESS);
+  add(m.occlusionTexture, TEX_OCCLUSION);
+  add(m.emissiveTexture, TEX_EMISSIVE);
+  return f;
+}
+
+/// Of a run that is drawn for its depth alone: culling matters, and the base colour where alpha is
+/// tested.
+DrawRun depthRunOf(DrawRun run) {
+  run.lit = false;
+  const bool tested = run.mask || run.holed;
+  SurfaceFeatures f;
+  if (tested) {
+    f.textures = run.features.textures & (1U << TEX_BASE_COLOR);
+    f.secondUv = f.textures != 0 && run.features.secondUv;
+    f.vertexColor = run.features.vertexColor;
+  } else {
+    run.material = kNone;
+  }
+  run.features = f;
+  return run;
 }
 
 CullMode cullModeOf(const Material& material, const glm::mat4& transform) {
@@ -43,10 +85,12 @@ CullMode cullModeOf(const Material& material, const glm::mat4& transform) {
   return glm::determinant(glm::mat3(transform)) < 0.0F ? CullMode::BackMirrored : CullMode::Back;
 }
 
-DrawList makeList(std::string_view label, std::vector<Draw> draws, DrawOrder order) {
+DrawList makeList(std::string_view label, std::vector<Draw> draws, bool byMaterial,
+                  DrawOrder order) {
   DrawList list;
-  std::sort(draws.begin(), draws.end(),
-            [](const Draw& a, const Draw& b) { return a.order() < b.order(); });
+  std::sort(draws.begin(), draws.end(), [byMaterial](const Draw& a, const Draw& b) {
+    return a.order(byMaterial) < b.order(byMaterial);
+  });
   if (order.reversed) std::reverse(draws.begin(), draws.end());
   std::vector<DrawCommand> commands;
   for (const Draw& draw : draws) {
@@ -56,10 +100,7 @@ DrawList makeList(std::string_view label, std::vector<Draw> draws, DrawOrder ord
       list.runs.back().first = index;
     }
     ++list.runs.back().count;
-    // For depth alone, only the culling matters, and textures where alpha is tested.
-    DrawRun depthKey = draw.key;
-    depthKey.lit = false;
-    if (!draw.key.mask && !draw.key.holed) depthKey.texturedMaterial = kNone;
+    const DrawRun depthKey = depthRunOf(draw.key);
     if (list.depthRuns.empty() || !sameRun(list.depthRuns.back(), depthKey)) {
       list.depthRuns.push_back(depthKey);
       list.depthRuns.back().first = index;
@@ -67,7 +108,9 @@ DrawList makeList(std::string_view label, std::vector<Draw> draws, DrawOrder ord
     ++list.depthRuns.back().count;
     list.triangles += draw.command.count / 3;
     commands.push_back(draw.command);
+    list.bounds.push_back(draw.bounds);
   }
+  list.visible.assign(commands.size(), 1);
   if (!commands.empty()) list.commands = gl::Buffer::of<DrawCommand>(label, commands);
   return list;
 }
@@ -78,6 +121,12 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
   std::vector<Draw> opaque;
   std::vector<Draw> transparent;
   const std::vector<AlphaHoles> holes = alphaHolesOf(scene);
+  std::vector<bool> colored;
+  std::vector<Bounds> boxes;
+  for (const Primitive& primitive : scene.primitives) {
+    colored.push_back(hasVertexColor(primitive));
+    boxes.push_back(boundsOf(primitive));
+  }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const Primitive& primitive = scene.primitives[instance.primitive];
@@ -85,6 +134,7 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
     const Placement& placement = placements_[instance.primitive];
     if (placement.indexCount == 0 || holes[instance.primitive] == AlphaHoles::All) continue;
     Draw draw;
+    draw.bounds = transformed(boxes[instance.primitive], instance.transform);
     draw.command.count = placement.indexCount;
     draw.command.firstIndex = placement.firstIndex;
     draw.command.baseVertex = placement.baseVertex;
@@ -93,12 +143,13 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
     draw.key.lit = !material.unlit;
     draw.key.mask = material.alphaMode == AlphaMode::Mask && !material.isTransparent();
     draw.key.holed = holes[instance.primitive] == AlphaHoles::Some;
-    draw.key.texturedMaterial = isTextured(material) ? primitive.material : kNone;
+    draw.key.features = featuresOf(material, colored[instance.primitive]);
+    draw.key.material = primitive.material;
     draw.key.count = 0;
     (material.isTransparent() ? transparent : opaque).push_back(draw);
   }
-  opaque_ = makeList("opaque draws", std::move(opaque), order);
-  transparent_ = makeList("transparent draws", std::move(transparent), order);
+  opaque_ = makeList("opaque draws", std::move(opaque), true, order);
+  transparent_ = makeList("transparent draws", std::move(transparent), false, order);
 }
 
 }  // namespace macula::scene

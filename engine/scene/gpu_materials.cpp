@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <set>
@@ -16,10 +17,6 @@ namespace macula::scene {
 namespace {
 
 static_assert(kMostVeins == MAX_VEINS && kMostLights == MAX_LIGHTS);
-
-constexpr std::array<std::uint32_t, MATERIAL_TEXTURES> kTextureFlags{
-    MATERIAL_HAS_BASE_COLOR_TEXTURE, MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE,
-    MATERIAL_HAS_NORMAL_TEXTURE, MATERIAL_HAS_OCCLUSION_TEXTURE, MATERIAL_HAS_EMISSIVE_TEXTURE};
 
 std::array<const TextureRef*, MATERIAL_TEXTURES> texturesOf(const Material& m) {
   return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
@@ -81,13 +78,10 @@ shader::MaterialData dataOf(const Material& m) {
   d.emissive = glm::vec4(m.unlit ? glm::vec3(0.0F) : m.emissive, m.normalScale);
   d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
   d.transmission = glm::vec4(attenuationOf(m), m.transmission);
-  d.flags.x = (m.unlit ? MATERIAL_UNLIT : 0U) |
-              (m.alphaMode == AlphaMode::Mask ? MATERIAL_MASK : 0U) |
-              (m.doubleSided ? MATERIAL_DOUBLE_SIDED : 0U) |
+  d.flags.x = (m.alphaMode == AlphaMode::Mask ? MATERIAL_MASK : 0U) |
               (m.alphaMode == AlphaMode::Blend ? MATERIAL_BLEND : 0U);
   const auto textures = texturesOf(m);
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    if (textures[i]->image != kNone) d.flags.x |= kTextureFlags[i];
     if (textures[i]->uvSet == 1) d.flags.y |= 1U << i;
   }
   return d;
@@ -157,13 +151,18 @@ void GpuScene::uploadTextures(const Scene& scene) {
 }
 
 void GpuScene::uploadMaterials(const Scene& scene) {
-  std::vector<shader::MaterialData> data{dataOf(Material{})};
+  GLint alignment = 1;
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  const auto align = static_cast<std::size_t>(alignment);
+  materialStride_ = (sizeof(shader::MaterialData) + align - 1) / align * align;
   const std::vector<std::int32_t> veins = veinNumbers(scene);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    data.push_back(dataOf(scene.materials[i]));
-    data.back().flags.z = static_cast<std::uint32_t>(veins[i] + 1);
+  std::vector<std::byte> bytes((scene.materials.size() + 1) * materialStride_);
+  for (std::size_t i = 0; i <= scene.materials.size(); ++i) {  // 0: the glTF default one
+    shader::MaterialData data = dataOf(i == 0 ? Material{} : scene.materials[i - 1]);
+    if (i > 0) data.flags.z = static_cast<std::uint32_t>(veins[i - 1] + 1);
+    std::memcpy(&bytes[i * materialStride_], &data, sizeof(data));
   }
-  materials_ = gl::Buffer::of<shader::MaterialData>("materials", data);
+  materials_ = gl::Buffer::of<std::byte>("materials", bytes);
 }
 
 void GpuScene::uploadLights(const Scene& scene, const Environment* environment) {

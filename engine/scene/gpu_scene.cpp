@@ -1,12 +1,14 @@
 #include "engine/scene/gpu_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <limits>
-#include <numeric>
 
 #include "engine/core/error.h"
 #include "engine/scene/alpha_holes.h"
+#include "engine/scene/visibility.h"
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
 
@@ -25,6 +27,33 @@ gl::Buffer bufferOf(std::string_view label, const std::vector<T>& values) {
                         : gl::Buffer::of<T>(label, values);
 }
 
+void setCulling(CullMode cull) {
+  if (cull == CullMode::None) {
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+  } else {
+    glEnable(GL_CULL_FACE);
+    glFrontFace(cull == CullMode::BackMirrored ? GL_CW : GL_CCW);
+  }
+}
+
+/// Of the bound buffer.
+void drawCommands(std::size_t first, std::size_t count) {
+  constexpr std::size_t kCommandBytes = 5 * sizeof(GLuint);
+  if (count == 0) return;
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                              reinterpret_cast<const void*>(first * kCommandBytes),
+                              static_cast<GLsizei>(count), 0);
+}
+
+/// One instance, read as vertex attributes.
+struct InstanceAttributes {
+  std::array<glm::vec4, 3> modelRows;   ///< of the 3x4 object-to-world matrix
+  std::array<glm::vec4, 3> normalRows;  ///< of its inverse transpose; w of the first: -1 where the
+                                        ///< transform mirrors, else 1
+  glm::uvec2 ids;                       ///< of the first triangle; step of the id (1 or -1)
+};
+
 }  // namespace
 
 GpuScene::GpuScene(const Scene& scene, const Environment* environment, DrawOrder order)
@@ -37,7 +66,7 @@ GpuScene::GpuScene(const Scene& scene, const Environment* environment, DrawOrder
   buildDrawLists(scene, order);
   uploadLights(scene, environment);
   bytes_ += positions_.bytes() + attributes_.bytes() + indices_.bytes() + instances_.bytes() +
-            instanceNumbers_.bytes() + materials_.bytes() + lights_.bytes();
+            materials_.bytes() + lights_.bytes();
   for (const gl::Texture& image : images_) bytes_ += image.bytes();
   if (environment_) bytes_ += environment_.bytes();
 }
@@ -68,7 +97,7 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
   attributes_ = bufferOf("vertex attributes", attributes);
   indices_ = bufferOf("indices", indices);
 
-  std::vector<shader::Instance> instances;
+  std::vector<InstanceAttributes> instances;
   std::uint64_t firstId = 0;
   for (const Instance& instance : scene.instances) {
     const Primitive& primitive = scene.primitives[instance.primitive];
@@ -82,18 +111,15 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
                                  : glm::mat3(0.0F);
     const glm::mat4 n(normal);
     const auto triangles = static_cast<std::uint32_t>(primitive.indices.size() / 3);
-    shader::Instance data{};
-    data.modelRow0 = row(m, 0);
-    data.modelRow1 = row(m, 1);
-    data.modelRow2 = row(m, 2);
-    data.normalRow0 = glm::vec4(glm::vec3(row(n, 0)), determinant < 0.0F ? -1.0F : 1.0F);
-    data.normalRow1 = row(n, 1);
-    data.normalRow2 = row(n, 2);
-    // Material 0 is the glTF default one.
-    data.ids.x = static_cast<std::uint32_t>(primitive.material + 1);
+    InstanceAttributes data{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      data.modelRows[i] = row(m, static_cast<int>(i));
+      data.normalRows[i] = row(n, static_cast<int>(i));
+    }
+    data.normalRows[0].w = determinant < 0.0F ? -1.0F : 1.0F;
     // Reversed triangles keep their ids: the last one drawn first has the highest.
-    data.ids.y = static_cast<std::uint32_t>(firstId) + (order.reversed ? triangles - 1 : 0);
-    data.ids.z = order.reversed ? std::numeric_limits<std::uint32_t>::max() : 1;
+    data.ids.x = static_cast<std::uint32_t>(firstId) + (order.reversed ? triangles - 1 : 0);
+    data.ids.y = order.reversed ? std::numeric_limits<std::uint32_t>::max() : 1;
     instances.push_back(data);
     firstId += triangles;
   }
@@ -102,9 +128,6 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
               firstId);
   }
   instances_ = bufferOf("instances", instances);
-  std::vector<std::uint32_t> numbers(std::max<std::size_t>(1, instances.size()));
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  instanceNumbers_ = bufferOf("instance numbers", numbers);
 
   GLuint vao = 0;
   glCreateVertexArrays(1, &vao);
@@ -112,7 +135,7 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
   gl::label(GL_VERTEX_ARRAY, vao, "scene");
   glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
   glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(VertexAttributes));
-  glVertexArrayVertexBuffer(vao, 2, instanceNumbers_.id(), 0, sizeof(std::uint32_t));
+  glVertexArrayVertexBuffer(vao, 2, instances_.id(), 0, sizeof(InstanceAttributes));
   glVertexArrayBindingDivisor(vao, 2, 1);
   glVertexArrayElementBuffer(vao, indices_.id());
   const auto floats = [vao](GLuint attribute, GLuint binding, GLint size, std::size_t offset) {
@@ -127,15 +150,19 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
   floats(ATTR_UV0, 1, 2, offsetof(VertexAttributes, uv0));
   floats(ATTR_UV1, 1, 2, offsetof(VertexAttributes, uv1));
   floats(ATTR_COLOR, 1, 4, offsetof(VertexAttributes, color));
-  glEnableVertexArrayAttrib(vao, ATTR_INSTANCE);
-  glVertexArrayAttribIFormat(vao, ATTR_INSTANCE, 1, GL_UNSIGNED_INT, 0);
-  glVertexArrayAttribBinding(vao, ATTR_INSTANCE, 2);
+  for (GLuint i = 0; i < 3; ++i) {
+    const std::size_t bytes = i * sizeof(glm::vec4);
+    floats(ATTR_MODEL_ROWS + i, 2, 4, offsetof(InstanceAttributes, modelRows) + bytes);
+    floats(ATTR_NORMAL_ROWS + i, 2, 4, offsetof(InstanceAttributes, normalRows) + bytes);
+  }
+  glEnableVertexArrayAttrib(vao, ATTR_IDS);
+  glVertexArrayAttribIFormat(vao, ATTR_IDS, 2, GL_UNSIGNED_INT,
+                             static_cast<GLuint>(offsetof(InstanceAttributes, ids)));
+  glVertexArrayAttribBinding(vao, ATTR_IDS, 2);
 }
 
 void GpuScene::bindGeometry() const {
   glBindVertexArray(vertexArray_.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_INSTANCES, instances_.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_MATERIALS, materials_.id());
 }
 
 void GpuScene::bindLights() const {
@@ -143,25 +170,40 @@ void GpuScene::bindLights() const {
   if (environment_) glBindTextureUnit(TEX_ENVIRONMENT, environment_.id());
 }
 
-void GpuScene::bindMaterialTextures(std::int32_t material) const {
-  const MaterialTextures& set = materialTextures_[static_cast<std::size_t>(material + 1)];
+void GpuScene::bindMaterial(const DrawRun& run) const {
+  const auto index = static_cast<std::size_t>(run.material + 1);
+  glBindBufferRange(GL_UNIFORM_BUFFER, UBO_MATERIAL, materials_.id(),
+                    static_cast<GLintptr>(index * materialStride_), sizeof(shader::MaterialData));
+  if (run.features.textures == 0) return;
+  const MaterialTextures& set = materialTextures_[index];
   glBindTextures(TEX_BASE_COLOR, MATERIAL_TEXTURES, set.textures.data());
   glBindSamplers(TEX_BASE_COLOR, MATERIAL_TEXTURES, set.samplers.data());
 }
 
-void GpuScene::draw(const DrawList& list, const DrawRun& run) const {
-  if (run.cull == CullMode::None) {
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
-  } else {
-    glEnable(GL_CULL_FACE);
-    glFrontFace(run.cull == CullMode::BackMirrored ? GL_CW : GL_CCW);
+void GpuScene::chooseVisible(const glm::mat4& viewProjection) const {
+  for (const DrawList* list : {&opaque_, &transparent_}) {
+    for (std::size_t i = 0; i < list->bounds.size(); ++i) {
+      list->visible[i] = mayBeSeen(list->bounds[i], viewProjection) ? 1 : 0;
+    }
   }
-  constexpr std::size_t kCommandBytes = 5 * sizeof(GLuint);
+}
+
+void GpuScene::draw(const DrawList& list, const DrawRun& run) const {
+  setCulling(run.cull);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.id());
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                              reinterpret_cast<const void*>(run.first * kCommandBytes),
-                              static_cast<GLsizei>(run.count), 0);
+  const std::size_t end = std::size_t{run.first} + run.count;
+  for (std::size_t i = run.first; i < end;) {
+    std::size_t next = i;
+    while (next < end && list.visible[next] != 0) ++next;
+    drawCommands(i, next - i);
+    i = next + 1;
+  }
+}
+
+void GpuScene::drawAll(const DrawList& list, const DrawRun& run) const {
+  setCulling(run.cull);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.id());
+  drawCommands(run.first, run.count);
 }
 
 }  // namespace macula::scene

@@ -19,6 +19,16 @@ namespace macula::scene {
 
 enum class CullMode : std::uint8_t { Back, BackMirrored, None };
 
+/// What the shaders of a run are specialised by.
+struct SurfaceFeatures {
+  std::uint8_t textures = 0;  ///< bit TEX_...: the material has the texture
+  bool secondUv = false;      ///< one of them uses the second UV set
+  bool vertexColor = false;   ///< a vertex has a colour that is not white
+  bool doubleSided = false;
+  bool transmission = false;
+  auto operator<=>(const SurfaceFeatures&) const = default;
+};
+
 /// Consecutive commands that one multi-draw can take.
 struct DrawRun {
   std::uint32_t first = 0;  ///< index of the first command
@@ -26,8 +36,11 @@ struct DrawRun {
   CullMode cull = CullMode::Back;
   bool lit = false;
   bool mask = false;
-  bool holed = false;                     ///< transparent, with fragments that alpha may discard
-  std::int32_t texturedMaterial = kNone;  ///< kNone: no textures, materials may differ
+  bool holed = false;  ///< transparent, with fragments that alpha may discard
+  SurfaceFeatures features;
+  /// Index in Scene::materials or kNone for the default one; where only positions are read, that of
+  /// the first command.
+  std::int32_t material = kNone;
 };
 
 /// Draw commands (glMultiDrawElementsIndirect) with the runs they fall into.
@@ -35,8 +48,12 @@ struct DrawList {
   std::vector<DrawRun> runs;       ///< by cull mode, shading and material
   std::vector<DrawRun> depthRuns;  ///< merged: split only by cull mode and alpha test
   gl::Buffer commands;
+  std::vector<Bounds> bounds;  ///< of each command, in the world
   std::uint64_t triangles = 0;
   [[nodiscard]] bool empty() const { return runs.empty(); }
+
+  /// Of each command, for the view that is drawn.
+  mutable std::vector<std::uint8_t> visible;
 };
 
 /// How draws are ordered; a test reverses them to prove that order changes nothing.
@@ -60,21 +77,21 @@ class GpuScene {
   /// World to shadow-map clip space of the shadow-casting light; identity where there is none.
   [[nodiscard]] const glm::mat4& shadowViewProjection() const { return shadowViewProjection_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// Of the storage blocks that shaders read, instances and materials.
-  [[nodiscard]] std::size_t largestBlockBytes() const {
-    return std::max(instances_.bytes(), materials_.bytes());
-  }
-
-  /// Binds vertices, instances and materials for drawing.
+  /// Binds vertices and instances for drawing.
   void bindGeometry() const;
   /// Where the scene has more lights than a frame takes, chooses those of this view.
   void chooseLights(const Camera& camera, float aspect) const;
   /// Binds the lights' block and the environment texture.
   void bindLights() const;
-  /// Binds the five textures of a material, white where it has none.
-  void bindMaterialTextures(std::int32_t material) const;
-  /// Draws one run of a list, with its culling; programs and textures are the caller's.
+  /// Binds the material of a run and its textures.
+  void bindMaterial(const DrawRun& run) const;
+  /// From now on, draw() leaves out the commands that this view cannot show. Allocates nothing.
+  void chooseVisible(const glm::mat4& viewProjection) const;
+  /// Draws the visible commands of one run, with its culling; program and material are the
+  /// caller's.
   void draw(const DrawList& list, const DrawRun& run) const;
+  /// The same with all commands, for other views.
+  void drawAll(const DrawList& list, const DrawRun& run) const;
 
  private:
   void uploadGeometry(const Scene& scene, DrawOrder order);
@@ -96,9 +113,9 @@ class GpuScene {
   gl::Buffer positions_;
   gl::Buffer attributes_;
   gl::Buffer indices_;
-  gl::Buffer instanceNumbers_;
   gl::Buffer instances_;
   gl::Buffer materials_;
+  std::size_t materialStride_ = 0;  ///< bytes from one to the next, as uniform buffers are aligned
   // The buffer depends only on the view that was drawn last.
   mutable gl::Buffer lights_;
   mutable LightChoice lightChoice_;

@@ -32,6 +32,7 @@ constexpr Recipe kRecipes[] = {
     {"greenhouse", "glass, pots and translucent plants in tiers, at most 106 layers deep",
      makeGreenhouse},
     {"hairball", "a ball of thin lit strands, at most 180 layers deep", makeHairball},
+    {"spheres", "64 plain unlit spheres, for comparing with other renderers", makeSpheres},
     {"car", "a car in a yard under a sun, its shadows filtered with 81 taps", makeCar},
     {"marble", "a dragon of polished stone with procedural veins", makeMarble},
     {"chess", "a game of chess with ambient occlusion of 96 samples", makeChess},

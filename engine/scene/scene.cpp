@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/scene/visibility.h"
+
 namespace macula::scene {
 namespace {
 
@@ -16,23 +18,17 @@ bool hasLitMaterial(const Scene& scene) {
                      [&](const Primitive& p) { return !scene.materialOf(p).unlit; });
 }
 
-glm::vec3 cornerOf(const Bounds& box, unsigned corner) {
-  return {(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
-          (corner & 4U) != 0 ? box.max.z : box.min.z};
-}
-
 template <typename Wanted>
 Bounds boundsWhere(const Scene& scene, Wanted wanted) {
   Bounds bounds;
   for (const Instance& instance : scene.instances) {
-    if (!wanted(scene.primitives[instance.primitive])) continue;
+    const Primitive& primitive = scene.primitives[instance.primitive];
+    if (!wanted(primitive)) continue;
     // Through the corners of the primitive's own box: exact enough to frame it, and fast.
-    Bounds local;
-    for (const glm::vec3& p : scene.primitives[instance.primitive].positions) local.add(p);
-    if (local.empty()) continue;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      bounds.add(glm::vec3(instance.transform * glm::vec4(cornerOf(local, corner), 1.0F)));
-    }
+    const Bounds world = transformed(boundsOf(primitive), instance.transform);
+    if (world.empty()) continue;
+    bounds.add(world.min);
+    bounds.add(world.max);
   }
   return bounds;
 }
@@ -43,6 +39,12 @@ const Material& Scene::materialOf(const Primitive& primitive) const {
   static const Material kDefault;
   if (primitive.material == kNone) return kDefault;
   return materials[static_cast<std::size_t>(primitive.material)];
+}
+
+Bounds boundsOf(const Primitive& primitive) {
+  Bounds bounds;
+  for (const glm::vec3& p : primitive.positions) bounds.add(p);
+  return bounds;
 }
 
 Bounds boundsOf(const Scene& scene) {
@@ -60,7 +62,7 @@ glm::vec2 distancesTo(const Bounds& bounds, const Camera& camera) {
   const glm::vec3 nearest = glm::clamp(camera.position, bounds.min, bounds.max);
   float farthest = camera.nearPlane;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    farthest = std::max(farthest, glm::distance(camera.position, cornerOf(bounds, corner)));
+    farthest = std::max(farthest, glm::distance(camera.position, bounds.corner(corner)));
   }
   return {std::max(camera.nearPlane, glm::distance(camera.position, nearest)), farthest};
 }

@@ -163,6 +163,11 @@ struct Bounds {
     max = glm::max(max, p);
   }
   [[nodiscard]] bool empty() const { return min.x > max.x; }
+  /// @param i 0 to 7
+  [[nodiscard]] glm::vec3 corner(unsigned i) const {
+    return {(i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y,
+            (i & 4U) != 0 ? max.z : min.z};
+  }
   [[nodiscard]] glm::vec3 center() const { return empty() ? glm::vec3(0.0F) : 0.5F * (min + max); }
   [[nodiscard]] float radius() const { return empty() ? 1.0F : 0.5F * glm::length(max - min); }
 };
@@ -187,6 +192,8 @@ struct Scene {
   [[nodiscard]] const Material& materialOf(const Primitive& primitive) const;
 };
 
+/// Box around a primitive's vertices, in its own space.
+[[nodiscard]] Bounds boundsOf(const Primitive& primitive);
 /// World-space box around all instances.
 [[nodiscard]] Bounds boundsOf(const Scene& scene);
 /// The same around those with transparent materials.

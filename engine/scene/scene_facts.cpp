@@ -22,9 +22,13 @@ SceneFacts factsOf(const Scene& scene, bool hasEnvironment) {
       facts.veins = facts.veins || (material.veins.any() && !material.unlit);
     }
   }
-  for (const Light& light : scene.lights) {
+  facts.lights = scene.lights.size();
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    if (i < facts.lightTypes.size()) facts.lightTypes[i] = light.type;
     if (!light.castsShadow) continue;
     facts.shadowLight = true;
+    facts.shadowLightNumber = i;
     facts.shadowTaps = light.shadowTaps;
   }
   facts.environment = hasEnvironment;

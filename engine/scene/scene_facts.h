@@ -1,11 +1,16 @@
 // The few facts about a scene that decide which passes have work.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/scene/scene.h"
 
 namespace macula::scene {
+
+/// Most lights whose types shaders are specialised by: each is a copy of the lighting's code, which
+/// in a scene of more lights takes longer to compile than it saves.
+inline constexpr std::size_t kSpecialisedLights = 8;
 
 struct SceneFacts {
   std::uint64_t opaqueTriangles = 0;       ///< OPAQUE and MASK, over all instances
@@ -13,7 +18,10 @@ struct SceneFacts {
   bool litOpaque = false;
   bool litTransparent = false;
   bool unlitOpaque = false;
-  bool shadowLight = false;           ///< a directional light casts shadows
+  std::size_t lights = 0;
+  std::array<LightType, kSpecialisedLights> lightTypes{};  ///< where they are no more than these
+  bool shadowLight = false;                                ///< a directional light casts shadows
+  std::size_t shadowLightNumber = 0;                       ///< its index
   bool environment = false;           ///< image-based light and background are given
   int shadowTaps = kUsualShadowTaps;  ///< a side of the shadow's filter
   bool veins = false;                 ///< an opaque surface has procedural veins

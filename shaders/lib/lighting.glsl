@@ -1,5 +1,7 @@
 // Light that leaves a surface point towards the eye: the same functions for opaque and transparent
-// surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound.
+// surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound. EACH_LIGHT(F): F(i, type)
+// for every light, written out where the scene has few, so that all their types are constants.
+// SHADOW_LIGHT: the number of the one that casts shadows, where EACH_LIGHT is given.
 // DEMODULATE: the part that is proportional to the base colour is also returned separately.
 #include "lib/brdf.glsl"
 #include "lib/surface.glsl"
@@ -14,44 +16,68 @@ layout(binding = TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 layout(binding = TEX_ENVIRONMENT) uniform sampler2D environmentMap;
 #endif
 
+#ifndef EACH_LIGHT
+#define EACH_LIGHT(F)                                   \
+  for (int i = 0; i < int(lights.ambient.w); ++i) {     \
+    F(i, uint(lights.lights[i].position.w))             \
+  }
+#endif
+
 #ifdef SHADOWS
 #ifndef SHADOW_TAPS
 #define SHADOW_TAPS 3
 #endif
 
 /// Percentage-closer filtering (Reeves et al. 1987) over SHADOW_TAPS x SHADOW_TAPS bilinear
-/// comparisons.
+/// comparisons, which are one texel apart: each texel is compared once, and those at the rim count by the
+/// part that the taps cover.
 /// @param normal the geometric one: moved along that of a normal map, the receiver might still shadow
 /// itself
 float shadowFactor(vec3 position, vec3 normal, vec3 toLight) {
-  float texel = 1.0 / float(textureSize(shadowMap, 0).x);
+  float size = float(textureSize(shadowMap, 0).x);
+  float texel = 1.0 / size;
   // Moving the receiver along its normal by some texels of the map hides self-shadowing; more at
   // grazing light, where one texel covers more of the surface.
-  float grazing = sqrt(max(0.0, 1.0 - dot(normal, toLight) * dot(normal, toLight)));
+  float cosine = dot(normal, toLight);
+  float grazing = sqrt(max(0.0, 1.0 - cosine * cosine));
   const int kReach = SHADOW_TAPS / 2;
   float width = max(float(kReach), 1.0);
   vec3 p = position + normal * (lights.shadow.x * texel * width * (0.75 + 1.5 * grazing));
   vec3 uvz = (lights.shadowMatrix * vec4(p, 1.0)).xyz;
+  vec2 place = uvz.xy * size - 0.5;
+  vec2 whole = floor(place);
+  vec2 part = place - whole;
+  // The middle of the first four of (SHADOW_TAPS + 1)^2 texels.
+  vec2 first = (whole + float(1 - kReach)) * texel;
   float sum = 0.0;
-  for (int y = -kReach; y <= kReach; ++y) {
-    for (int x = -kReach; x <= kReach; ++x) {
-      sum += texture(shadowMap, uvz + vec3(vec2(x, y) * texel, 0.0));
+  for (int y = 0; y <= kReach; ++y) {
+    for (int x = 0; x <= kReach; ++x) {
+      // x, y: left and right of the upper row; z, w: right and left of the lower.
+      vec4 lit = textureGather(shadowMap, first + vec2(x, y) * (2.0 * texel), uvz.z);
+      vec2 low = vec2(x == 0 ? 1.0 - part.x : 1.0, y == 0 ? 1.0 - part.y : 1.0);
+      vec2 high = vec2(x == kReach ? part.x : 1.0, y == kReach ? part.y : 1.0);
+      sum += (lit.x * low.x + lit.y * high.x) * high.y + (lit.w * low.x + lit.z * high.x) * low.y;
     }
   }
   return sum / float(SHADOW_TAPS * SHADOW_TAPS);
 }
+
+/// Share of a directional light that arrives; 1 where the surface faces away from it, normal map or not.
+float shadowOf(LightData light, SurfacePoint s) {
+  vec3 l = -light.direction.xyz;
+  bool faces = max(dot(s.normal, l), dot(s.geometricNormal, l)) > 0.0;
+  return faces ? shadowFactor(s.position, s.geometricNormal, l) : 1.0;
+}
 #endif
 
-/// Share of the shadow-casting light that arrives; 1 where the surface faces away from it, normal
-/// map or not.
+/// Share of the shadow-casting light that arrives.
 float shadowAt(SurfacePoint s) {
-#ifdef SHADOWS
+#if defined(SHADOWS) && defined(SHADOW_LIGHT)
+  return shadowOf(lights.lights[SHADOW_LIGHT], s);
+#elif defined(SHADOWS)
   int count = int(lights.ambient.w);
   for (int i = 0; i < count; ++i) {
-    if (lights.lights[i].color.w == 0.0) continue;
-    vec3 l = -lights.lights[i].direction.xyz;
-    bool faces = max(dot(s.normal, l), dot(s.geometricNormal, l)) > 0.0;
-    return faces ? shadowFactor(s.position, s.geometricNormal, l) : 1.0;
+    if (lights.lights[i].color.w != 0.0) return shadowOf(lights.lights[i], s);
   }
 #endif
   return 1.0;
@@ -86,9 +112,9 @@ vec3 ambientRadiance(vec3 n) {
 }
 
 /// Attenuation of a light at a position; `l` becomes the unit vector towards it.
-float lightTowards(LightData light, vec3 position, out vec3 l) {
+/// @param type of the light, LIGHT_*
+float lightTowards(LightData light, uint type, vec3 position, out vec3 l) {
   l = -light.direction.xyz;
-  uint type = uint(light.position.w);
   if (type == LIGHT_DIRECTIONAL) return 1.0;
   vec3 d = light.position.xyz - position;
   float d2 = max(dot(d, d), lights.shadow.y);  // for a light on the surface
@@ -102,15 +128,18 @@ float lightTowards(LightData light, vec3 position, out vec3 l) {
   return attenuation * a * a;
 }
 
+vec3 irradianceOf(LightData light, uint type, vec3 position, vec3 normal) {
+  vec3 l;
+  float attenuation = lightTowards(light, type, position, l);
+  return light.color.rgb * (attenuation * max(dot(normal, l), 0.0));
+}
+
 /// Irradiance of all lights without shadows.
 vec3 irradianceAt(vec3 position, vec3 normal) {
   vec3 sum = vec3(0.0);
-  int count = int(lights.ambient.w);
-  for (int i = 0; i < count; ++i) {
-    vec3 l;
-    float attenuation = lightTowards(lights.lights[i], position, l);
-    sum += lights.lights[i].color.rgb * (attenuation * max(dot(normal, l), 0.0));
-  }
+#define ADD_IRRADIANCE(i, type) sum += irradianceOf(lights.lights[i], type, position, normal);
+  EACH_LIGHT(ADD_IRRADIANCE)
+#undef ADD_IRRADIANCE
   return sum;
 }
 
@@ -124,6 +153,38 @@ struct Radiance {
 #endif
 };
 
+/// What the light of all lamps has in common.
+struct Receiver {
+  SurfacePoint surface;
+  Reflection reflection;
+  vec3 toEye;      // unit length
+  float nDotV;
+  float shadow;    // share of the shadow-casting light that arrives
+};
+
+void addLight(inout Radiance sum, LightData light, uint type, bool shadowed, Receiver at) {
+  vec3 l;
+  float attenuation = lightTowards(light, type, at.surface.position, l);
+  float nDotL = dot(at.surface.normal, l);
+  if (nDotL <= 0.0 || attenuation <= 0.0) return;
+  if (shadowed) attenuation *= at.shadow;
+  // Both vectors are of unit length, so that the half vector's angles follow from theirs.
+  float lDotV = dot(l, at.toEye);
+  float inverse = inversesqrt(max(2.0 + 2.0 * lDotV, 1e-12));
+  float vDotH = max((1.0 + lDotV) * inverse, 0.0);
+  float nDotH = max((nDotL + dot(at.surface.normal, at.toEye)) * inverse, 0.0);
+  vec3 f = fresnelSchlick(at.reflection.f0, vDotH);
+  vec3 incoming = light.color.rgb * (attenuation * nDotL);
+  float lobe = specularGgx(at.reflection.alpha, nDotH, nDotL, at.nDotV);
+  sum.diffuse += incoming * (1.0 - f) * (at.reflection.diffuse / kPi);
+  sum.specular += incoming * f * lobe;
+#ifdef DEMODULATE
+  float slope = fresnelSlope(vDotH);
+  float metallic = at.surface.metallic;
+  sum.perColor += incoming * ((1.0 - f) * ((1.0 - metallic) / kPi) + slope * metallic * lobe);
+#endif
+}
+
 /// @param shadow see shadowAt()
 Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
   Reflection r = reflectionOf(s.baseColor, s.metallic, s.roughness);
@@ -135,25 +196,16 @@ Radiance lightSurface(SurfacePoint s, vec3 eye, float shadow) {
 #ifdef DEMODULATE
   sum.perColor = vec3(0.0);
 #endif
-  int count = int(lights.ambient.w);
-  for (int i = 0; i < count; ++i) {
-    LightData light = lights.lights[i];
-    vec3 l;
-    float attenuation = lightTowards(light, s.position, l);
-    float nDotL = dot(s.normal, l);
-    if (nDotL <= 0.0 || attenuation <= 0.0) continue;
-    if (light.color.w > 0.0) attenuation *= shadow;
-    vec3 h = normalize(l + v);
-    vec3 f = fresnelSchlick(r.f0, max(dot(v, h), 0.0));
-    vec3 incoming = light.color.rgb * (attenuation * nDotL);
-    float lobe = specularGgx(r.alpha, max(dot(s.normal, h), 0.0), nDotL, nDotV);
-    sum.diffuse += incoming * (1.0 - f) * r.diffuse / kPi;
-    sum.specular += incoming * f * lobe;
-#ifdef DEMODULATE
-    float slope = fresnelSlope(max(dot(v, h), 0.0));
-    sum.perColor += incoming * ((1.0 - f) * ((1.0 - s.metallic) / kPi) + slope * s.metallic * lobe);
+  Receiver at = Receiver(s, r, v, nDotV, shadow);
+#ifdef SHADOW_LIGHT
+#define CASTS(i) (i == SHADOW_LIGHT)
+#else
+#define CASTS(i) (lights.lights[i].color.w > 0.0)
 #endif
-  }
+#define ADD_LIGHT(i, type) addLight(sum, lights.lights[i], type, CASTS(i), at);
+  EACH_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
+#undef CASTS
   vec2 albedo = environmentBrdf(s.roughness, nDotV);
   vec3 reflected = r.f0 * albedo.x + albedo.y;
 #ifdef ENVIRONMENT

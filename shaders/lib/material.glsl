@@ -1,20 +1,34 @@
-// The glTF material at a fragment of the scene. TEXTURED: the run has textures bound. LIT with
-// VERTEX_LIGHT: light comes from the vertices, and there is no normal. UV_ONLY: only the base colour is
-// used. POSITION_ONLY: nothing is, or, WITH_IDS, ids. HOLED: alpha can make a hole of a fragment; a pass
-// calls isThere() before anything else.
-#include "lib/scene.glsl"
+// The glTF material at a fragment of the scene, specialised by what its run has. TEXTURED: textures; which:
+// BASE_COLOR_MAP, METALLIC_ROUGHNESS_MAP, NORMAL_MAP, OCCLUSION_MAP, EMISSIVE_MAP. SECOND_UV: one of
+// them uses it. VERTEX_COLOR: its vertices have colours. DOUBLE_SIDED: back faces are seen.
+// LIT with VERTEX_LIGHT: light comes from the vertices, and there is no normal. UV_ONLY: only the base
+// colour is used. POSITION_ONLY: nothing is, or, WITH_IDS, ids. HOLED: alpha can make a hole of a
+// fragment; a pass calls isThere() before anything else.
 #include "lib/surface.glsl"
+// Here, because what is included again inside of a condition counts as included.
+#include "shared/bindings.h"
+#include "shared/scene_data.h"
 
 #if !defined(POSITION_ONLY) || defined(WITH_IDS)
-layout(location = 2) flat in uvec3 inIds;
+layout(location = 2) flat in uvec2 inIds;
 
 /// Id of the triangle that does not depend on the order of draws.
-uint fragmentId() { return inIds.y + inIds.z * uint(gl_PrimitiveID); }
+uint fragmentId() { return inIds.x + inIds.y * uint(gl_PrimitiveID); }
 #endif
 
 #ifndef POSITION_ONLY
-layout(location = 0) in vec4 inUv;
+#include "lib/run_material.glsl"
+
+#ifdef TEXTURED
+#ifdef SECOND_UV
+layout(location = 0) in vec4 inUv;  // xy: first set, zw: second
+#else
+layout(location = 0) in vec2 inUv;
+#endif
+#endif
+#ifdef VERTEX_COLOR
 layout(location = 1) in vec4 inColor;
+#endif
 #ifndef UV_ONLY
 #if defined(LIT) && defined(VERTEX_LIGHT)
 layout(location = 3) in vec3 inFrontLight;
@@ -34,36 +48,43 @@ layout(binding = TEX_NORMAL) uniform sampler2D normalTexture;
 layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionTexture;
 layout(binding = TEX_EMISSIVE) uniform sampler2D emissiveTexture;
 
-bool usesSecondUv(MaterialData m, uint slot) { return (m.flags.y & (1u << slot)) != 0u; }
-
 #ifdef HOLED
 #define EXPLICIT_GRADIENTS
 #endif
 #ifdef EXPLICIT_GRADIENTS
 // A pass that leaves early calls prepareGradients() first: after the first return the neighbours'
 // coordinates, and with them implicit gradients, are undefined (GLSL 4.50, section 8.13.1).
+#ifdef SECOND_UV
 vec4 uvDx, uvDy;
+#else
+vec2 uvDx, uvDy;
+#endif
 void prepareGradients() {
   uvDx = dFdx(inUv);
   uvDy = dFdy(inUv);
 }
-vec4 sampleSlot(sampler2D map, MaterialData m, uint slot) {
-  return usesSecondUv(m, slot) ? textureGrad(map, inUv.zw, uvDx.zw, uvDy.zw)
-                               : textureGrad(map, inUv.xy, uvDx.xy, uvDy.xy);
-}
+#define SAMPLE(map, PART) textureGrad(map, inUv.PART, uvDx.PART, uvDy.PART)
 #else
-vec4 sampleSlot(sampler2D map, MaterialData m, uint slot) {
-  return texture(map, usesSecondUv(m, slot) ? inUv.zw : inUv.xy);
-}
-#endif
+#define SAMPLE(map, PART) texture(map, inUv.PART)
 #endif
 
-vec4 findBaseColor(MaterialData m) {
-  precise vec4 color = m.baseColor * inColor;
-#ifdef TEXTURED
-  if ((m.flags.x & MATERIAL_HAS_BASE_COLOR_TEXTURE) != 0u) {
-    color *= sampleSlot(baseColorTexture, m, TEX_BASE_COLOR);
-  }
+/// @param slot number of the texture
+vec4 sampleSlot(sampler2D map, uint slot) {
+#ifdef SECOND_UV
+  if ((material.flags.y & (1u << slot)) != 0u) return SAMPLE(map, zw);
+#endif
+  return SAMPLE(map, xy);
+}
+#endif
+
+vec4 findBaseColor() {
+#ifdef VERTEX_COLOR
+  precise vec4 color = inColor;
+#else
+  precise vec4 color = material.baseColor;
+#endif
+#ifdef BASE_COLOR_MAP
+  color *= sampleSlot(baseColorTexture, TEX_BASE_COLOR);
 #endif
   return color;
 }
@@ -77,72 +98,77 @@ bool isThere() {
 #ifdef TEXTURED
   prepareGradients();
 #endif
-  MaterialData m = materials[inIds.x];
-  foundBaseColor = findBaseColor(m);
-  return alphaOf(m, foundBaseColor.a) > LEAST_ALPHA;
+  foundBaseColor = findBaseColor();
+  return alphaOf(foundBaseColor.a) > LEAST_ALPHA;
 }
 
-vec4 baseColorAt(MaterialData m) { return foundBaseColor; }
+vec4 baseColor() { return foundBaseColor; }
 #else
-vec4 baseColorAt(MaterialData m) { return findBaseColor(m); }
+vec4 baseColor() { return findBaseColor(); }
 #endif
 
 #ifndef UV_ONLY
 /// 1 where the front of the surface is visible, else -1. Single-sided runs show front faces only; for
 /// the others a mirroring transform swaps the sides.
-float facing(MaterialData m) {
-  bool front = (m.flags.x & MATERIAL_DOUBLE_SIDED) == 0u || gl_FrontFacing == (inMirror > 0.0);
-  return front ? 1.0 : -1.0;
+float facing() {
+#ifdef DOUBLE_SIDED
+  return gl_FrontFacing == (inMirror > 0.0) ? 1.0 : -1.0;
+#else
+  return 1.0;
+#endif
 }
 
 #if !defined(LIT) || !defined(VERTEX_LIGHT)
 /// The normal of the geometry, without a normal map, towards the side that is seen.
-vec3 geometricNormalAt(MaterialData m) {
+vec3 geometricNormal() {
   // A transform that flattens has no normal; any unit vector keeps NaN out of the image.
   vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0, 1.0, 0.0);
-  return n * facing(m);
+  return n * facing();
 }
 
-vec3 normalAt(MaterialData m, vec3 geometricNormal) {
-#ifdef TEXTURED
-  if ((m.flags.x & MATERIAL_HAS_NORMAL_TEXTURE) != 0u && dot(inTangent.xyz, inTangent.xyz) > 0.0) {
-    vec3 n = geometricNormal * facing(m);
+/// @param geometric normal of the geometry towards the side that is seen
+vec3 mappedNormal(vec3 geometric) {
+#ifdef NORMAL_MAP
+  if (dot(inTangent.xyz, inTangent.xyz) > 0.0) {
+    vec3 n = geometric * facing();
     vec3 t = normalize(inTangent.xyz - n * dot(n, inTangent.xyz));
     vec3 b = cross(n, t) * inTangent.w * inMirror;
-    vec3 s = sampleSlot(normalTexture, m, TEX_NORMAL).xyz * 2.0 - 1.0;
-    s.xy *= m.emissive.w;
-    return normalize(t * s.x + b * s.y + n * s.z) * facing(m);
+    vec3 s = sampleSlot(normalTexture, TEX_NORMAL).xyz * 2.0 - 1.0;
+    s.xy *= material.emissive.w;
+    return normalize(t * s.x + b * s.y + n * s.z) * facing();
   }
 #endif
-  return geometricNormal;
+  return geometric;
 }
 
-SurfacePoint surfaceAt(MaterialData m) {
+SurfacePoint findSurface() {
   SurfacePoint s;
-  vec4 color = baseColorAt(m);
+  vec4 color = baseColor();
   s.baseColor = color.rgb;
-  s.alpha = alphaOf(m, color.a);
+  s.alpha = alphaOf(color.a);
   s.position = inPosition;
-  s.geometricNormal = geometricNormalAt(m);
-  s.normal = normalAt(m, s.geometricNormal);
-  s.metallic = m.surface.x;
-  s.roughness = m.surface.y;
+  s.geometricNormal = geometricNormal();
+  s.normal = mappedNormal(s.geometricNormal);
+  s.metallic = material.surface.x;
+  s.roughness = material.surface.y;
   s.occlusion = 1.0;
-  s.emissive = m.emissive.rgb;
-  s.unlit = (m.flags.x & MATERIAL_UNLIT) != 0u;
-#ifdef TEXTURED
-  if ((m.flags.x & MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE) != 0u) {
-    vec2 gb = sampleSlot(metallicRoughnessTexture, m, TEX_METALLIC_ROUGHNESS).gb;
-    s.roughness *= gb.x;
-    s.metallic *= gb.y;
-  }
-  if ((m.flags.x & MATERIAL_HAS_OCCLUSION_TEXTURE) != 0u) {
-    float o = sampleSlot(occlusionTexture, m, TEX_OCCLUSION).r;
-    s.occlusion = 1.0 + m.surface.z * (o - 1.0);
-  }
-  if ((m.flags.x & MATERIAL_HAS_EMISSIVE_TEXTURE) != 0u) {
-    s.emissive *= sampleSlot(emissiveTexture, m, TEX_EMISSIVE).rgb;
-  }
+  s.emissive = material.emissive.rgb;
+#ifdef LIT
+  s.unlit = false;
+#else
+  s.unlit = true;
+#endif
+#ifdef METALLIC_ROUGHNESS_MAP
+  vec2 gb = sampleSlot(metallicRoughnessTexture, TEX_METALLIC_ROUGHNESS).gb;
+  s.roughness *= gb.x;
+  s.metallic *= gb.y;
+#endif
+#ifdef OCCLUSION_MAP
+  float o = sampleSlot(occlusionTexture, TEX_OCCLUSION).r;
+  s.occlusion = 1.0 + material.surface.z * (o - 1.0);
+#endif
+#ifdef EMISSIVE_MAP
+  s.emissive *= sampleSlot(emissiveTexture, TEX_EMISSIVE).rgb;
 #endif
   return s;
 }

@@ -1,5 +1,5 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
-// LIT: the run's materials are lit. VERTEX_LIGHT: a cheap approximation of both instead, for
+// LIT: the run's material is lit. TRANSMISSION: it transmits. VERTEX_LIGHT: a cheap approximation of both instead, for
 // predictions, with light from the vertices; without textures and alpha tests (TEXTURED, HOLED) the
 // whole layer comes from the vertices.
 #include "lib/frame.glsl"
@@ -21,24 +21,26 @@ vec4 approximateTransparent() { return gl_FrontFacing ? inFrontLayer : inBackLay
 /// other channels transmit in addition is approximated by the ambient radiance, which is exact where the
 /// background equals it.
 vec4 shadeTransparent() {
-  MaterialData m = materials[inIds.x];
-  SurfacePoint s = surfaceAt(m);
 #ifdef LIT
+  SurfacePoint s = findSurface();
   Radiance r = lightSurface(s, frame.eye.xyz);
-  float transmission = m.transmission.w;
-  if (transmission > 0.0) {
-    vec3 v = normalize(frame.eye.xyz - s.position);
-    float fresnel = fresnelSchlick(vec3(kDielectricF0), abs(dot(s.normal, v))).x;
-    vec3 tint = s.baseColor * m.transmission.rgb;
-    float least = min(tint.r, min(tint.g, tint.b));
-    float through = transmission * (1.0 - fresnel);
-    vec3 color = r.specular + r.diffuse * (1.0 - transmission) + s.emissive +
-                 through * (tint - least) * ambientRadiance(-v);
-    return vec4(color, 1.0 - through * least) * s.alpha;
-  }
-  return vec4((r.diffuse + r.specular + s.emissive) * s.alpha, s.alpha);
+#ifdef TRANSMISSION
+  float transmission = material.transmission.w;
+  vec3 v = normalize(frame.eye.xyz - s.position);
+  float fresnel = fresnelSchlick(vec3(kDielectricF0), abs(dot(s.normal, v))).x;
+  vec3 tint = s.baseColor * material.transmission.rgb;
+  float least = min(tint.r, min(tint.g, tint.b));
+  float through = transmission * (1.0 - fresnel);
+  vec3 color = r.specular + r.diffuse * (1.0 - transmission) + s.emissive +
+               through * (tint - least) * ambientRadiance(-v);
+  return vec4(color, 1.0 - through * least) * s.alpha;
 #else
-  return vec4(s.baseColor * s.alpha, s.alpha);
+  return vec4((r.diffuse + r.specular + s.emissive) * s.alpha, s.alpha);
+#endif
+#else
+  vec4 color = baseColor();
+  float alpha = alphaOf(color.a);
+  return vec4(color.rgb * alpha, alpha);
 #endif
 }
 #endif
@@ -46,8 +48,7 @@ vec4 shadeTransparent() {
 #ifdef VERTEX_LIGHT
 vec4 approximateTransparent() {
 #ifdef LIT
-  MaterialData m = materials[inIds.x];
-  return predictedLayer(m, baseColorAt(m), facing(m) > 0.0 ? inFrontLight : inBackLight);
+  return predictedLayer(baseColor(), facing() > 0.0 ? inFrontLight : inBackLight);
 #else
   return shadeTransparent();
 #endif

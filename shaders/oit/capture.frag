@@ -56,7 +56,7 @@ PixelSlots pixelSlots(ivec2 p) {
 #ifdef INSERTION_SORTED
 #ifdef FRONT_NORMAL
 /// The geometric normal: that of a normal map would make the importance noisy.
-vec3 frontNormalOfFragment() { return geometricNormalAt(materials[inIds.x]); }
+vec3 frontNormalOfFragment() { return geometricNormal(); }
 #endif
 #include "lib/insert_sorted.glsl"
 #endif

@@ -5,24 +5,24 @@
 // Uniform buffers
 #define UBO_FRAME 0
 #define UBO_LIGHTS 1
+#define UBO_MATERIAL 2
 
 // Shader storage buffers. Every device has 8 bindings (OpenGL 4.5, chapter 23), so buffers that no
 // pass uses together share one.
-#define SSBO_INSTANCES 0
-#define SSBO_MATERIALS 1
-#define SSBO_FRAGMENT_KEYS 2
-#define SSBO_FRAGMENT_COLORS 3
-#define SSBO_OIT_TOTALS 4
-#define SSBO_FRAGMENT_LINKS 5
-#define SSBO_STRIP_SUMS 5
-#define SSBO_NETWORK_VALUES 5
-#define SSBO_SLICES 6
-#define SSBO_OCCUPANCY 6
-#define SSBO_OIT_STATISTICS 6
-#define SSBO_COVERED 7
-#define SSBO_LOD_TOTALS 2
-#define SSBO_LOD_TILES 3
-#define SSBO_LOD_HOLES 4
+#define SSBO_FRAGMENT_KEYS 0
+#define SSBO_FRAGMENT_COLORS 1
+#define SSBO_OIT_TOTALS 2
+#define SSBO_FRAGMENT_LINKS 3
+#define SSBO_STRIP_SUMS 3
+#define SSBO_DEEP_TILES 3
+#define SSBO_NETWORK_VALUES 3
+#define SSBO_SLICES 4
+#define SSBO_OCCUPANCY 4
+#define SSBO_OIT_STATISTICS 4
+#define SSBO_COVERED 5
+#define SSBO_LOD_TOTALS 0
+#define SSBO_LOD_TILES 1
+#define SSBO_LOD_HOLES 2
 
 // Textures of a material (one draw run each)
 #define TEX_BASE_COLOR 0
@@ -57,6 +57,9 @@
 #define ATTR_UV0 3
 #define ATTR_UV1 4
 #define ATTR_COLOR 5
-#define ATTR_INSTANCE 6
+// Of an instance
+#define ATTR_MODEL_ROWS 6   // three
+#define ATTR_NORMAL_ROWS 9  // three
+#define ATTR_IDS 12
 
 #endif

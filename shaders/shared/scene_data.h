@@ -1,17 +1,10 @@
-// Instances, materials and lights as the GPU reads them.
+// Materials and lights as the GPU reads them.
 #ifndef MACULA_SHARED_SCENE_DATA_H
 #define MACULA_SHARED_SCENE_DATA_H
 #include "shared/cpp_glsl.h"
 
-#define MATERIAL_UNLIT 1u
-#define MATERIAL_MASK 2u
-#define MATERIAL_DOUBLE_SIDED 4u
-#define MATERIAL_HAS_BASE_COLOR_TEXTURE 8u
-#define MATERIAL_HAS_METALLIC_ROUGHNESS_TEXTURE 16u
-#define MATERIAL_HAS_NORMAL_TEXTURE 32u
-#define MATERIAL_HAS_OCCLUSION_TEXTURE 64u
-#define MATERIAL_HAS_EMISSIVE_TEXTURE 128u
-#define MATERIAL_BLEND 256u
+#define MATERIAL_MASK 1u
+#define MATERIAL_BLEND 2u
 
 // The greatest alpha of a transparent fragment that adds nothing: neither counted nor stored. 2^-25
 // is what half floats, in which fragments are stored, round to 0, and what floats, in which they
@@ -31,16 +24,6 @@
 #define MAX_VEINS 8
 
 MACULA_SHARED_BEGIN
-
-struct Instance {
-  vec4 modelRow0;  // rows of the 3x4 object-to-world matrix
-  vec4 modelRow1;
-  vec4 modelRow2;
-  vec4 normalRow0;  // rows of its inverse transpose; w: -1 where the transform mirrors, else 1
-  vec4 normalRow1;
-  vec4 normalRow2;
-  uvec4 ids;  // x: material, y: id of the first triangle, z: step of the id (1 or -1 as uint)
-};
 
 struct MaterialData {
   vec4 baseColor;

@@ -291,10 +291,6 @@ const Members kLights{OFFSET(LightBlock, ambient),      OFFSET(LightBlock, envir
                       ELEMENT(LightBlock, irradiance)};
 const Members kLight{OFFSET(LightData, position), OFFSET(LightData, direction),
                      OFFSET(LightData, color), OFFSET(LightData, cone)};
-const Members kInstance{OFFSET(Instance, modelRow0),  OFFSET(Instance, modelRow1),
-                        OFFSET(Instance, modelRow2),  OFFSET(Instance, normalRow0),
-                        OFFSET(Instance, normalRow1), OFFSET(Instance, normalRow2),
-                        OFFSET(Instance, ids)};
 const Members kMaterial{OFFSET(MaterialData, baseColor), OFFSET(MaterialData, emissive),
                         OFFSET(MaterialData, surface), OFFSET(MaterialData, transmission),
                         OFFSET(MaterialData, flags)};
@@ -341,8 +337,7 @@ TEST_F(GlTest, SharedStructsLieAsTheShadersReadThem) {
       {lighting, GL_UNIFORM, "lights.lights[0].", kLight, offsetof(LightBlock, lights), 0},
       {lighting, GL_UNIFORM, "lights.lights[1].", kLight,
        offsetof(LightBlock, lights) + sizeof(shader::LightData), 0},
-      {gbuffer, GL_BUFFER_VARIABLE, "instances[0].", kInstance, 0, sizeof(shader::Instance)},
-      {gbuffer, GL_BUFFER_VARIABLE, "materials[0].", kMaterial, 0, sizeof(shader::MaterialData)},
+      {gbuffer, GL_UNIFORM, "material.", kMaterial, 0, 0},
       {importance, GL_BUFFER_VARIABLE, "totals.", kOitTotalsMembers, 0, 0},
       {statistics, GL_BUFFER_VARIABLE, "statistics.", kStatistics, 0, 0},
       {rates, GL_BUFFER_VARIABLE, "totals.", kLodTotalsMembers, 0, 0}};

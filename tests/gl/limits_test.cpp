@@ -58,10 +58,9 @@ class DeviceLimits : public GlTest {
   scene::Scene scene_ = unlit(tangle(30, 3));
 };
 
-TEST_F(DeviceLimits, EachAtItsLeastIsKeptToOrNamed) {
+TEST_F(DeviceLimits, EachAtItsLeastIsKeptTo) {
   const auto whole = drawAll();
   int ran = 0;
-  int refused = 0;
   for (const gl::LimitRow& row : gl::limitRows()) {
     const std::int64_t own = limits()[row.limit];
     EXPECT_GE(own, row.guaranteed) << row.name << " is less than OpenGL 4.5 promises";
@@ -72,23 +71,16 @@ TEST_F(DeviceLimits, EachAtItsLeastIsKeptToOrNamed) {
         ++ran;
         continue;
       }
-      if (outcome.refusal == whole.at(method).refusal) continue;  // with or without the limit
-      ++refused;
-      const std::string has = "(" + std::string(row.name) + "), and this GPU has " +
-                              std::to_string(row.guaranteed) + "; ";
-      EXPECT_THAT(outcome.refusal, testing::HasSubstr(has)) << method;
-      EXPECT_EQ(outcome.refusal.find('\n'), std::string::npos);
+      EXPECT_EQ(outcome.refusal, whole.at(method).refusal) << method << " with " << row.name;
     }
     limits()[row.limit] = own;
   }
   note("frames drawn under a lowered limit", ran);
-  note("refusals", refused);
   EXPECT_GT(ran, 0);
-  EXPECT_GT(refused, 0);
 }
 
 TEST_F(DeviceLimits, TheMethodsThatARefusalOffersRun) {
-  limits()[Limit::CombinedOutputs] = 8;
+  limits()[Limit::CombinedOutputs] = 6;
   passes::OitSettings predicted{.method = "kb-variable", .sync = "spinlock"};
   Bench bench(unlit(tangle(30, 3)), settingsOf(predicted), kSize, device());
   std::string refusal;
@@ -97,7 +89,7 @@ TEST_F(DeviceLimits, TheMethodsThatARefusalOffersRun) {
   } catch (const InputError& error) {
     refusal = error.what();
   }
-  ASSERT_THAT(refusal, testing::HasSubstr("pass 'oit.capture' needs 9"));
+  ASSERT_THAT(refusal, testing::HasSubstr("pass 'oit.capture' needs 7"));
   const std::string offer = "these run with their default options: --method ";
   ASSERT_THAT(refusal, testing::HasSubstr(offer));
   const std::string list = refusal.substr(refusal.find(offer) + offer.size()) + ",";
@@ -113,7 +105,7 @@ TEST_F(DeviceLimits, TheMethodsThatARefusalOffersRun) {
 }
 
 TEST_F(DeviceLimits, ThatNoMethodKeepsToAreSaidToBeTheDevices) {
-  limits()[Limit::VertexStorageBlocks] = 0;
+  limits()[Limit::ColorAttachments] = 0;
   for (const auto& [method, outcome] : drawAll()) {
     EXPECT_THAT(outcome.refusal,
                 testing::EndsWith("; no --method runs here; use another GPU or driver"))
@@ -121,21 +113,17 @@ TEST_F(DeviceLimits, ThatNoMethodKeepsToAreSaidToBeTheDevices) {
   }
 }
 
-TEST_F(DeviceLimits, AllAtTheirLeastButForTheVertexStage) {
-  const std::int64_t vertex = limits()[Limit::VertexStorageBlocks];
+TEST_F(DeviceLimits, AllAtTheirLeastEveryMethodRunsThatTheDriverDraws) {
   const auto whole = drawAll();
   limits() = gl::guaranteedLimits();
-  limits()[Limit::VertexStorageBlocks] = vertex;
-  std::set<std::string> ran;
+  int ran = 0;
   for (const auto& [method, outcome] : drawAll()) {
-    if (!outcome.refusal.empty()) continue;
+    EXPECT_EQ(outcome.refusal, whole.at(method).refusal) << method;
     EXPECT_EQ(outcome.image, whole.at(method).image) << method;
-    ran.insert(method);
+    ran += outcome.refusal.empty() ? 1 : 0;
   }
-  for (const char* method : {"blend", "wboit", "peel", "ab-array", "ab-list", "ab-sbuffer",
-                             "kb-atomic", "kb-fixed", "kb-plus"}) {
-    EXPECT_TRUE(ran.contains(method)) << method;
-  }
+  note("methods drawn", ran);
+  EXPECT_GE(ran, 12);
 }
 
 TEST_F(DeviceLimits, OfSamplesAreKeptToOrNamed) {
@@ -150,22 +138,12 @@ TEST_F(DeviceLimits, OfSamplesAreKeptToOrNamed) {
   EXPECT_EQ(draw(routed).refusal, whole);
 }
 
-TEST_F(DeviceLimits, ASceneOfTooManyObjectsIsRefused) {
-  limits()[Limit::StorageBlockBytes] = 100;
-  Bench bench(unlit(tangle(30, 3)), settingsOf({.method = "blend"}), kSize, device());
-  try {
-    bench.draw();
-    FAIL() << "drawn";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"));
-  }
-}
-
 TEST_F(DeviceLimits, ThatNoTableStatesAreKeptEverywhere) {
   const auto most = static_cast<std::size_t>(gl::rowOf(Limit::UniformBlockBytes).guaranteed);
   EXPECT_LE(sizeof(shader::FrameConstants), most);
   EXPECT_LE(sizeof(shader::LightBlock), most);
-  EXPECT_LT(std::max(UBO_FRAME, UBO_LIGHTS), gl::rowOf(Limit::UniformBindings).guaranteed);
+  EXPECT_LT(std::max({UBO_FRAME, UBO_LIGHTS, UBO_MATERIAL}),
+            gl::rowOf(Limit::UniformBindings).guaranteed);
   if (!device().capabilities.renderer.starts_with("llvmpipe")) GTEST_SKIP() << "offers more";
   // Work groups: what links where no more is offered fits everywhere.
   for (const Limit limit : {Limit::GroupThreads, Limit::GroupBytes}) {

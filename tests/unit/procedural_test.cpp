@@ -323,8 +323,8 @@ TEST_P(Recipe, IsSoundAndRepeatable) {
 
 INSTANTIATE_TEST_SUITE_P(All, Recipe,
                          testing::Values("layers-5", "medley-3", "smoke", "bottles", "hair",
-                                         "greenhouse", "hairball", "gallery", "car", "marble",
-                                         "chess"),
+                                         "greenhouse", "hairball", "spheres", "gallery", "car",
+                                         "marble", "chess"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -391,7 +391,8 @@ std::string messageOf(const std::string& name) {
 TEST(LoadScene, ExplainsWrongNames) {
   EXPECT_EQ(messageOf("galery"),
             "galery: no such scene; the nearest is 'gallery' of gallery, smoke, bottles, hair, "
-            "greenhouse, hairball, car, marble, chess, layers-N, medley-N; or name a .gltf or .glb "
+            "greenhouse, hairball, spheres, car, marble, chess, layers-N, medley-N; or name a "
+            ".gltf or .glb "
             "file");
   EXPECT_NE(messageOf("Layer-64").find("nearest is 'layers-N'"), std::string::npos);
   for (const char* path : {"nowhere/smoke", "./smoke", "house.obj", "../house.gltf"}) {

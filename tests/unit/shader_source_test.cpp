@@ -67,6 +67,20 @@ struct Variant {
   std::vector<std::string> extensions;
 };
 
+/// What one switch stands for: a textured run is compiled with all textures, and one with colours
+/// in its vertices with everything else that a material can have.
+void addSwitch(Defines& defines, const std::string& name) {
+  std::vector<std::string> names{name};
+  if (name == "TEXTURED") {
+    names = {name,         "BASE_COLOR_MAP", "METALLIC_ROUGHNESS_MAP",
+             "NORMAL_MAP", "OCCLUSION_MAP",  "EMISSIVE_MAP",
+             "SECOND_UV"};
+  } else if (name == "VERTEX_COLOR") {
+    names = {name, "DOUBLE_SIDED", "TRANSMISSION"};
+  }
+  for (const std::string& each : names) defines.emplace_back(each, "1");
+}
+
 /// Every combination of the given switches on top of some fixed defines.
 void addCombinations(std::vector<Variant>& out, const std::string& file, const Defines& fixed,
                      const std::vector<std::string>& switches,
@@ -74,7 +88,7 @@ void addCombinations(std::vector<Variant>& out, const std::string& file, const D
   for (unsigned bits = 0; bits < (1U << switches.size()); ++bits) {
     Variant variant{file, fixed, extensions};
     for (std::size_t i = 0; i < switches.size(); ++i) {
-      if ((bits & (1U << i)) != 0) variant.defines.emplace_back(switches[i], "1");
+      if ((bits & (1U << i)) != 0) addSwitch(variant.defines, switches[i]);
     }
     out.push_back(std::move(variant));
   }
@@ -107,22 +121,25 @@ class VariantSet {
 
 /// What lit, textured and environment runs add. All of their combinations are compiled with
 /// oit/blend.frag; the least and the most are enough where an option multiplies them.
-const std::vector<std::string> kShading{"LIT", "TEXTURED", "HOLED", "SHADOWS", "ENVIRONMENT"};
+const std::vector<std::string> kShading{"LIT",     "TEXTURED",    "HOLED",
+                                        "SHADOWS", "ENVIRONMENT", "VERTEX_COLOR"};
 const std::vector<Defines> kShadingEnds{
     {},
-    {{"TEXTURED", "1"}},
-    {{"TEXTURED", "1"}, {"HOLED", "1"}},
-    {{"LIT", "1"}, {"TEXTURED", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}}};
+    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}},
+    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}, {"HOLED", "1"}},
+    {{"LIT", "1"}, {"VERTEX_COLOR", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}}};
 
 void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});
   addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}}, {"SHADOW"});
-  addCombinations(all, "scene.vert", {}, {});
+  addCombinations(all, "scene.vert", {}, {"TEXTURED", "VERTEX_COLOR"});
   addCombinations(all, "scene.vert", {{"UV_ONLY", "1"}, {"HOLED", "1"}}, {"WITH_IDS"});
   addCombinations(all, "scene.vert", {{"VERTEX_LIGHT", "1"}},
-                  {"LIT", "TEXTURED", "HOLED", "ENVIRONMENT"});
-  addCombinations(all, "gbuffer.frag", {}, {"TEXTURED", "MASK"});
-  addCombinations(all, "shadow.frag", {}, {"MASK"});
+                  {"LIT", "TEXTURED", "HOLED", "ENVIRONMENT", "VERTEX_COLOR"});
+  addCombinations(all, "gbuffer.frag", {}, {"LIT", "TEXTURED", "MASK", "VERTEX_COLOR"});
+  addCombinations(all, "shadow.frag", {{"MASK", "1"}, {"UV_ONLY", "1"}},
+                  {"TEXTURED", "VERTEX_COLOR"});
+  addCombinations(all, "shadow.frag", {{"POSITION_ONLY", "1"}}, {});
   addCombinations(all, "lighting.comp", {}, {"LIT", "SHADOWS", "ENVIRONMENT"});
   const Defines rich{{"LIT", "1"},   {"SHADOWS", "1"},   {"SHADOW_TAPS", "9"},
                      {"VEINS", "1"}, {"OCCLUSION", "1"}, {"ENVIRONMENT", "1"}};
@@ -222,6 +239,9 @@ void addPlanned(VariantSet& all, const passes::OitPlan& plan) {
   const passes::Method& method = *plan.method;
   if (!method.stores()) return;
   all.add({"oit/resolve.comp", definesOf(plan), {}});
+  if (method.insertion.sortedAtResolve) {
+    all.add({"oit/resolve.comp", together(definesOf(plan), {{"DEEP", "1"}}), {}});
+  }
   if (plan.sharesByUtility()) {
     const Defines demand = demandDefines(plan);
     if (plan.slices()) {

@@ -75,7 +75,7 @@ class CountColorsPass final : public OitPass {
   [[nodiscard]] bool wanted() const override { return plan_.gathersColors(); }
 
   void declare(frame::PassDeclaration& d, const frame::FrameInputs& /*in*/) const override {
-    d.scene(frame::SceneUse::LitVertices);
+    d.scene();
     depthTarget(d);
     d.color(0, kFragmentCount, Access::Write);
     d.color(1, kDepthRange, Access::Write);
@@ -85,7 +85,7 @@ class CountColorsPass final : public OitPass {
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     gl::Defines defines{{"VERTEX_LIGHT", "1"}};
-    if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
+    for (auto& define : lightDefines(in.facts)) defines.push_back(std::move(define));
     variants_.prepare(in.gpu->transparent().runs, "oit/count_colors.frag", defines, {}, programs);
   }
 

@@ -35,7 +35,7 @@ class SlicesPass final : public OitPass {
     } else {
       depthTarget(d);
     }
-    d.scene(frame::SceneUse::LitVertices);
+    d.scene();
     d.texture(TEX_INPUT1, kDepthRange);
     d.storage(SSBO_SLICES, kSliceSums, Access::ReadWrite);
     constexpr std::size_t kSliceBytes = 16;
@@ -47,7 +47,7 @@ class SlicesPass final : public OitPass {
     gl::Defines defines = sliceDefines(plan_);
     defines.emplace_back("VERTEX_LIGHT", "1");
     if (plan_.sync == SyncMode::Ordered) defines.emplace_back("SYNC_ORDERED", "1");
-    if (in.facts.environment) defines.emplace_back("ENVIRONMENT", "1");  // its ambient light counts
+    for (auto& define : lightDefines(in.facts)) defines.push_back(std::move(define));
     if (plan_.usesNetwork()) defines.emplace_back("LEARNED", "1");
     variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", defines, {}, programs);
     if (tiled()) {
