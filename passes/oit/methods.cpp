@@ -61,6 +61,7 @@ constexpr Insertion kPeeled{.passes = {"oit.peel"}, .noTail = kNothingLeftOut};
 constexpr Insertion kAppended{.define = "INSERTION_APPEND",
                               .captured = true,
                               .fills = true,
+                              .sortedAtResolve = true,
                               .noTail = kNothingLeftOut,
                               .deepestBounded = kDeepestHeapSort};
 /// The same, in a linked list.

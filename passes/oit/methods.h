@@ -40,6 +40,7 @@ struct Insertion {
   bool fills = false;            ///< slots in use are counted per pixel; implies captured
   bool links = false;            ///< a pixel's slots form a linked list; implies captured
   bool sorts = false;            ///< kept nearest first, under per-pixel ordering; implies fills
+  bool sortedAtResolve = false;  ///< in slots in any order; implies fills
   bool keysFirst = false;        ///< oit.capture finds sorted keys and adds colours to them
   PassNames passes = {};
   std::string_view noTail = {};  ///< why there cannot be a tail, and the fix; empty: there can

@@ -1,12 +1,13 @@
 // Composites the stored fragments of each pixel over the opaque image, nearest first.
 // INSERTION_SORTED, INSERTION_ATOMIC: they are in order. INSERTION_APPEND: they are sorted here by
-// (depth, id). INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they are the samples of a
+// (depth, id): those of pixels of up to SORT_BLOCK, with a list of tiles that have others; DEEP: the
+// others, in these tiles. INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they are the samples of a
 // pixel. TAIL_IN_SLOT, TAIL_DENSE: the tail comes behind them.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 
 #include "lib/frame.glsl"
-#if defined(INSERTION_APPEND)
+#ifdef DEEP
 #define STORE_ACCESS
 #else
 #define STORE_ACCESS readonly
@@ -51,16 +52,44 @@ void compositeUnder(inout Composite c, uint slot) { compositeLayer(c, colorOf(lo
 #endif
 
 #if defined(INSERTION_APPEND)
-#include "lib/sort_append.glsl"
+layout(std430, binding = SSBO_OIT_TOTALS) buffer Totals { OitTotals totals; };
+/// Whether a tile is in the list, and from deepTileCount() on the list.
+layout(std430, binding = SSBO_DEEP_TILES) buffer DeepTiles { uint deepTiles[]; };
+#include "lib/list_dispatch.glsl"
+
+ivec2 tilesOfImage() { return (ivec2(frame.size) + FULLSCREEN_GROUP - 1) / FULLSCREEN_GROUP; }
+uint deepTileCount() { return uint(tilesOfImage().x * tilesOfImage().y); }
+
+uint firstSlot;
+uint slotOf(uint i) { return firstSlot + i; }
+#include "lib/sort_runs.glsl"
+#ifdef DEEP
+#include "lib/sort_in_place.glsl"
+#endif
+
 void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
   uint n = min(texelFetch(fragmentFill, p, 0).r, slots.capacity);
-  if (n <= SORT_SMALL) {
-    compositeSmall(c, slots.first, n);
-  } else if (n <= SORT_LARGE) {
-    compositeLarge(c, slots.first, n);
+  firstSlot = slots.first;
+#ifdef DEEP
+  if (n <= SORT_BLOCK) return;
+  if (n <= SORT_LARGE) {
+    compositeBlocks(c, n);
   } else {
-    compositeDeep(c, slots.first, n);
+    compositeInPlace(c, slots.first, n);
   }
+#else
+  if (n > SORT_BLOCK) {
+    ivec2 tile = p / FULLSCREEN_GROUP;
+    uint mark = uint(tile.y * tilesOfImage().x + tile.x);
+    if (atomicExchange(deepTiles[mark], 1u) != 0u) return;
+    uint entry = atomicAdd(totals.dispatches[LIST_OF_DEEP].w, 1u);
+    deepTiles[deepTileCount() + entry] = mark;
+    atomicMax(totals.dispatches[LIST_OF_DEEP].z, 1u);
+    growDispatch(LIST_OF_DEEP, entry + 1u);
+    return;
+  }
+  compositeRuns(c, n);
+#endif
 }
 #elif defined(INSERTION_LINKED)
 #include "lib/sort_links.glsl"
@@ -115,7 +144,15 @@ void compositeStored(inout Composite c, ivec2 p, PixelSlots slots) {
 #endif
 
 void main() {
+#ifdef DEEP
+  uint entry = gl_WorkGroupID.y * ROW_GROUPS + gl_WorkGroupID.x;
+  if (entry >= totals.dispatches[LIST_OF_DEEP].w) return;
+  int tile = int(deepTiles[deepTileCount() + entry]);
+  ivec2 corner = ivec2(tile % tilesOfImage().x, tile / tilesOfImage().x) * FULLSCREEN_GROUP;
+  ivec2 p = corner + ivec2(gl_LocalInvocationID.xy);
+#else
   ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+#endif
   if (p.x >= int(frame.size.x) || p.y >= int(frame.size.y)) return;
 #ifdef RANGES
   PixelSlots slots = slotsOf(texelFetch(fragmentRange, p, 0).rg);

@@ -11,10 +11,13 @@
 // for one insertion.
 #define LOCK_BOUND 32768
 
-// Fragments of one pixel that the resolve sorts in registers or local memory; deeper pixels are
-// sorted in place, which needs no array.
-#define SORT_SMALL 16
-#define SORT_LARGE 128
+// Fragments of one pixel that the resolve sorts in registers: so many runs of so many, one to a
+// component of a vector, are a block. Deeper pixels take a dispatch of their own, with an array of
+// numbers, one block to a component again; and still deeper ones are sorted in place.
+#define SORT_RUNS 4u
+#define SORT_RUN 8u
+#define SORT_BLOCK 32u
+#define SORT_LARGE 128u
 
 // Slots of one pixel; more would only be unused.
 #define MAX_PIXEL_LAYERS 65535u

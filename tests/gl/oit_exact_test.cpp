@@ -46,7 +46,7 @@ TEST_P(LayersN, VariableIsExactWhereEverythingFits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Depths, LayersN,
-                         testing::Values(1, 2, 3, 8, 15, 16, 17, 31, 64, 127, 128));
+                         testing::Values(1, 2, 7, 8, 9, 16, 17, 31, 32, 33, 64, 127, 128, 129));
 
 TEST_F(GlTest, DeepPixelsAreCountedAndSortedBeyondEveryLocalArray) {
   constexpr int kDeep = 2300;  // more than 2,048, where 16-bit floats stop counting
