@@ -14,23 +14,25 @@ constexpr auto kPause = std::chrono::milliseconds(100);
 
 }  // namespace
 
-void FirstImage::show(const passes::RenderSettings& settings, passes::DeviceContext& device,
+bool FirstImage::show(const passes::RenderSettings& settings, passes::DeviceContext& device,
                       const scene::GpuScene& gpu, const FrameEvents& view) {
-  if (gpu.facts().transparentTriangles == 0) return;
+  if (gpu.facts().transparentTriangles == 0) return false;
   passes::RenderSettings plain = settings;
   plain.heatmap.map = "none";
-  opaque_ = std::make_unique<Opaque>(plain, device);
+  auto opaque = std::make_unique<Opaque>(plain, device);
   try {
-    passes::FrameRenderer& renderer = opaque_->renderer;
+    passes::FrameRenderer& renderer = opaque->renderer;
     renderer.showTransparency(false);
     renderer.resize(view.pictureSize);
     renderer.setScene(gpu);
-    (void)renderer.render(view.camera, view.gaze);
+    (void)renderer.render(view.camera, view.gaze);  // with a bar over no image, see showProgress()
     screen_.clear(glm::vec3(0.0F));
     screen_.show(renderer.shownTexture());
     swap_();
+    opaque_ = std::move(opaque);
+    return true;
   } catch (const InputError&) {
-    opaque_.reset();  // the frame itself says what is wrong
+    return false;  // the frame itself says what is wrong
   }
 }
 
