@@ -12,7 +12,9 @@ namespace macula::control {
 class FixedLaw final : public Law {
  public:
   explicit FixedLaw(const LawOptions& options) : resize_(options.fixedResize) {}
-  [[nodiscard]] double next(const FrameTimes*, double) override { return resize_; }
+  [[nodiscard]] double next(const FrameTimes* /*newest*/, double /*usedResize*/) override {
+    return resize_;
+  }
   [[nodiscard]] bool holdsTarget() const override { return false; }
 
  private:

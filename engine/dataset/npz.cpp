@@ -106,27 +106,27 @@ void NpzWriter::addArray(std::string name, const std::vector<std::size_t>& shape
   entries_.push_back({.name = std::move(name), .bytes = std::move(bytes)});
 }
 
-void NpzWriter::add(std::string name, std::vector<std::size_t> shape,
+void NpzWriter::add(std::string name, const std::vector<std::size_t>& shape,
                     std::span<const float> values) {
   addArray(std::move(name), shape, values);
 }
 
-void NpzWriter::add(std::string name, std::vector<std::size_t> shape,
+void NpzWriter::add(std::string name, const std::vector<std::size_t>& shape,
                     std::span<const std::uint8_t> values) {
   addArray(std::move(name), shape, values);
 }
 
-void NpzWriter::add(std::string name, std::vector<std::size_t> shape,
+void NpzWriter::add(std::string name, const std::vector<std::size_t>& shape,
                     std::span<const std::uint16_t> values) {
   addArray(std::move(name), shape, values);
 }
 
-void NpzWriter::add(std::string name, std::vector<std::size_t> shape,
+void NpzWriter::add(std::string name, const std::vector<std::size_t>& shape,
                     std::span<const std::uint32_t> values) {
   addArray(std::move(name), shape, values);
 }
 
-void NpzWriter::add(std::string name, std::vector<std::size_t> shape,
+void NpzWriter::add(std::string name, const std::vector<std::size_t>& shape,
                     std::span<const std::uint64_t> values) {
   addArray(std::move(name), shape, values);
 }

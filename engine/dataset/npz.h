@@ -24,11 +24,15 @@ class NpzWriter {
   /// @param values as many as the product of the sides, the last index running fastest
   /// @throws std::invalid_argument where shape and values disagree, or the name is no such one or
   ///         was added before
-  void add(std::string name, std::vector<std::size_t> shape, std::span<const float> values);
-  void add(std::string name, std::vector<std::size_t> shape, std::span<const std::uint8_t> values);
-  void add(std::string name, std::vector<std::size_t> shape, std::span<const std::uint16_t> values);
-  void add(std::string name, std::vector<std::size_t> shape, std::span<const std::uint32_t> values);
-  void add(std::string name, std::vector<std::size_t> shape, std::span<const std::uint64_t> values);
+  void add(std::string name, const std::vector<std::size_t>& shape, std::span<const float> values);
+  void add(std::string name, const std::vector<std::size_t>& shape,
+           std::span<const std::uint8_t> values);
+  void add(std::string name, const std::vector<std::size_t>& shape,
+           std::span<const std::uint16_t> values);
+  void add(std::string name, const std::vector<std::size_t>& shape,
+           std::span<const std::uint32_t> values);
+  void add(std::string name, const std::vector<std::size_t>& shape,
+           std::span<const std::uint64_t> values);
 
   /// A text, for example JSON, as a list of its UTF-8 bytes (uint8): NumPy's own texts are of fixed
   /// width and four bytes a character.

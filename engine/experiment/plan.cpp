@@ -96,7 +96,8 @@ std::vector<Batch> batchesOf(const Experiment& experiment, const std::vector<std
   Batch oracles{true, {}};
   std::vector<Batch> limited(budgets.size());
   for (const std::string& id : ids) {
-    const auto index = static_cast<std::size_t>(&experiment.variant(id) - &experiment.variants[0]);
+    const auto index =
+        static_cast<std::size_t>(&experiment.variant(id) - experiment.variants.data());
     const Variant& variant = experiment.variants[index];
     if (variant.sweep) {
       for (const double value : variant.sweep->values) {

@@ -57,6 +57,7 @@ class GazeSource {
   /// Called from at() for each sample that came, with its time on the clock of at() and its place
   /// in the window, before any rule or filter. Fixed points have no samples.
   using SampleListener = std::function<void(const GazeSample&)>;
+  // Trackers keep it. NOLINTNEXTLINE(performance-unnecessary-value-param)
   virtual void onSample(SampleListener /*listener*/) {}
 };
 

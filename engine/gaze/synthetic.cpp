@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/core/error.h"
-#include "engine/gaze/pcg32.h"
+#include "engine/core/random.h"
 
 namespace macula::gaze {
 namespace {
@@ -62,7 +62,7 @@ double roundTo(double value, double unitsPerOne) {
 /// The eye itself: fixations and saccades, without what the tracker makes of them.
 class Eye {
  public:
-  explicit Eye(const Pcg32& random) : random_(random) { plan(0.0); }
+  explicit Eye(const Random& random) : random_(random) { plan(0.0); }
 
   /// Where it looks, in windows; times must not decrease.
   [[nodiscard]] glm::dvec2 at(double time) {
@@ -95,7 +95,7 @@ class Eye {
     saccade_.end = saccade_.begin + kSaccadeBase + kSaccadePerDegree * amplitude;
   }
 
-  Pcg32 random_;
+  Random random_;
   glm::dvec2 from_{0.5};
   glm::dvec2 to_{0.5};
   glm::dvec2 drift_{0.0};
@@ -103,7 +103,7 @@ class Eye {
   Span saccade_;
 };
 
-std::vector<Span> planBlinks(const SyntheticGazeOptions& options, Pcg32 random) {
+std::vector<Span> planBlinks(const SyntheticGazeOptions& options, Random random) {
   std::vector<Span> blinks;
   if (options.blinksPerMinute <= 0.0) return blinks;
   const double mean = 60.0 / options.blinksPerMinute;
@@ -118,7 +118,7 @@ std::vector<Span> planBlinks(const SyntheticGazeOptions& options, Pcg32 random) 
 }
 
 /// One dropout in each of equal parts of the log, away from its ends.
-std::vector<Span> planDropouts(const SyntheticGazeOptions& options, Pcg32 random) {
+std::vector<Span> planDropouts(const SyntheticGazeOptions& options, Random random) {
   std::vector<Span> dropouts;
   const double part = options.durationSeconds / std::max(options.dropouts, 1);
   for (int i = 0; i < options.dropouts; ++i) {
@@ -164,10 +164,10 @@ GazeLog synthesizeGaze(const SyntheticGazeOptions& options) {
                   options.dropouts)};
 
   // A stream each, so that a blink more or less leaves the eye and the noise as they are.
-  const std::vector<Span> blinks = planBlinks(options, Pcg32(options.seed, 1));
-  const std::vector<Span> dropouts = planDropouts(options, Pcg32(options.seed, 2));
-  Eye eye(Pcg32(options.seed, 3));
-  Pcg32 random(options.seed, 4);
+  const std::vector<Span> blinks = planBlinks(options, Random(options.seed, 1));
+  const std::vector<Span> dropouts = planDropouts(options, Random(options.seed, 2));
+  Eye eye(Random(options.seed, 3));
+  Random random(options.seed, 4);
   double pupil = kPupilMean;
   double pupilGoal = kPupilMean;
 

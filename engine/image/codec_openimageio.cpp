@@ -3,14 +3,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "engine/image/io_guard.h"
 #include "engine/image/io_module.h"
 
 namespace macula::image {
@@ -27,15 +24,8 @@ const char* nameOf(IoFormat format) {
   return format == IoFormat::Png ? "png" : "openexr";
 }
 
-void say(std::string_view text, IoMessage* message) {
-  const std::size_t length = std::min(text.size(), sizeof(message->text) - 1);
-  std::memcpy(message->text, text.data(), length);
-  message->text[length] = '\0';
-}
-
 IoStatus noFormat(IoMessage* message) {
-  say(OIIO::geterror(), message);
-  return IoStatus::NoFormat;
+  return explained(IoStatus::NoFormat, OIIO::geterror(), message);
 }
 
 /// The library's words, with a stand-in where it has none. Fetching them also clears them;
@@ -45,23 +35,7 @@ IoStatus failed(Source& source, IoMessage* message) {
   std::string text = source.geterror();
   if (text.empty()) text = "no reason given";
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
-  say(text, message);
-  return IoStatus::Failed;
-}
-
-/// Runs `call`, which gives a status; its exceptions become one.
-template <typename Call>
-IoStatus guarded(IoMessage* message, Call call) {
-  try {
-    return call();
-  } catch (const std::bad_alloc&) {
-    return IoStatus::OutOfMemory;
-  } catch (const std::exception& error) {
-    say(error.what(), message);
-  } catch (...) {
-    say("an exception of an unknown type", message);
-  }
-  return IoStatus::Fault;
+  return explained(IoStatus::Failed, text, message);
 }
 
 IoStatus open(IoFormat format, const char* path, IoReader** reader, IoHeader* header,

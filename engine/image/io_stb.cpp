@@ -20,15 +20,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <fstream>
 #include <limits>
 #include <memory>
-#include <new>
 #include <sstream>
 #include <string>
-#include <string_view>
 
+#include "engine/image/io_guard.h"
 #include "engine/image/io_module.h"
 
 namespace macula::image {
@@ -47,33 +45,12 @@ struct IoReader {
 
 namespace {
 
-IoStatus end(IoStatus status, std::string_view why, IoMessage* message) {
-  const std::size_t length = std::min(why.size(), sizeof(message->text) - 1);
-  std::memcpy(message->text, why.data(), length);
-  message->text[length] = '\0';
-  return status;
-}
-
 IoStatus failed(const char* why, IoMessage* message) {
-  return end(IoStatus::Failed, why == nullptr ? "no reason given" : why, message);
+  return explained(IoStatus::Failed, why == nullptr ? "no reason given" : why, message);
 }
 
 IoStatus noExr(IoMessage* message) {
-  return end(IoStatus::NoFormat, "it has PNG alone", message);
-}
-
-/// Runs `call`, which gives a status; its exceptions become one.
-template <typename Call>
-IoStatus guarded(IoMessage* message, Call call) {
-  try {
-    return call();
-  } catch (const std::bad_alloc&) {
-    return IoStatus::OutOfMemory;
-  } catch (const std::exception& error) {
-    return end(IoStatus::Fault, error.what(), message);
-  } catch (...) {
-    return end(IoStatus::Fault, "an exception of an unknown type", message);
-  }
+  return explained(IoStatus::NoFormat, "it has PNG alone", message);
 }
 
 IoStatus open(IoFormat format, const char* path, IoReader** reader, IoHeader* header,

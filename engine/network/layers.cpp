@@ -4,6 +4,7 @@
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
 #include "engine/network/parts.h"
+#include "engine/settings/data_node.h"
 
 namespace macula::network {
 namespace {
@@ -83,7 +84,7 @@ std::size_t layersNamed(const Tensors& tensors, const std::string& name) {
     }
     if (!known) {
       failInput("{}: tensor '{}': belongs to no layer; name them {}, {}, {} and so on, no others",
-                name, shown(key), weightName(0), biasName(0), weightName(1));
+                name, settings::shownText(key), weightName(0), biasName(0), weightName(1));
     }
   }
   return count;

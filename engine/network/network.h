@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxLayers = 8;
 inline constexpr std::size_t kMaxFileBytes = std::size_t{4} << 20U;
 static_assert(2 * kMaxLayers * kMaxWidth * kMaxWidth * sizeof(float) <= kMaxFileBytes);
 
-/// Activation of the last layer.
+/// Activation of the last layer, in the order of their names in metadata.cpp.
 enum class OutputActivation : std::uint8_t {
   None,
   Sigmoid,  ///< 1 / (1 + exp(-x)), in 0..1

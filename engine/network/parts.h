@@ -11,12 +11,10 @@
 
 namespace macula::network {
 
-/// A network without layers: names, normalisation and where it came from. Further keys are left
-/// alone.
+/// A network without layers: names, normalisation and where it came from.
 /// @param name of the file in messages
 /// @throws InputError naming file, key and fix
-[[nodiscard]] Network parseMetadata(const std::map<std::string, std::string>& metadata,
-                                    const std::string& name);
+[[nodiscard]] Network parseMetadata(const nlohmann::json& metadata, const std::string& name);
 
 /// Layers from `layer0.weight`, `layer0.bias`, `layer1.weight`, ...
 /// @param inputs, outputs of the whole network @param name of the file in messages

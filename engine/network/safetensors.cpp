@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <bit>
 #include <glm/gtc/packing.hpp>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
 #include "engine/core/error.h"
 #include "engine/core/plural.h"
+#include "engine/settings/typed_reader.h"
 
 namespace macula::network {
 namespace {
 
 using nlohmann::json;
+using settings::shownText;
+using settings::TypedReader;
 
 /// Bytes before the header: its length.
 constexpr std::size_t kLengthBytes = 8;
@@ -67,7 +69,7 @@ class HeaderGuard {
       // The depth of a key is that of its value.
       const auto& key = parsed.get_ref<const std::string&>();
       if (!keys_[depth - 1].insert(key).second) {
-        failInput("{}: header: '{}' stands there twice; {}", *name_, shown(key), kExportAgain);
+        failInput("{}: header: '{}' stands there twice; {}", *name_, shownText(key), kExportAgain);
       }
     }
     return true;
@@ -100,30 +102,9 @@ json parseHeader(std::string_view text, const std::string& name) {
 }
 
 /// A list of whole numbers of a tensor.
-std::vector<std::size_t> wholeNumbers(const json& tensor, const char* key,
-                                      const std::string& place) {
-  const auto found = tensor.find(key);
-  bool good = found != tensor.end() && found->is_array();
-  std::vector<std::size_t> numbers;
-  if (good) {
-    for (const json& number : *found) {
-      good = good && number.is_number_unsigned();
-      if (good) numbers.push_back(number.get<std::size_t>());
-    }
-  }
-  if (!good) failInput("{}: '{}' is no list of whole numbers; {}", place, key, kExportAgain);
-  return numbers;
-}
-
-ScalarType typeOf(const json& tensor, const std::string& place) {
-  const auto found = tensor.find("dtype");
-  if (found == tensor.end() || !found->is_string()) {
-    failInput("{}: 'dtype' is no text; {}", place, kExportAgain);
-  }
-  const auto& type = found->get_ref<const std::string&>();
-  if (type == "F32") return ScalarType::F32;
-  if (type == "F16") return ScalarType::F16;
-  failInput("{}: dtype '{}' is not read; export F32 or F16", place, shown(type));
+std::vector<std::size_t> wholeNumbers(TypedReader& tensor, const char* key) {
+  const auto numbers = tensor.get<std::vector<std::int64_t>>(key, {.min = 0});
+  return {numbers.begin(), numbers.end()};
 }
 
 constexpr std::size_t bytesOf(ScalarType type) {
@@ -150,10 +131,12 @@ struct Range {
 
 Tensor tensorOf(const json& value, std::span<const std::byte> data, Range& range) {
   if (!value.is_object()) failInput("{}: is no object; {}", range.place, kExportAgain);
+  TypedReader reader(settings::DataNode(value), range.place, kExportAgain);
   Tensor tensor;
-  tensor.type = typeOf(value, range.place);
-  tensor.shape = wholeNumbers(value, "shape", range.place);
-  const std::vector<std::size_t> offsets = wholeNumbers(value, "data_offsets", range.place);
+  tensor.type = static_cast<ScalarType>(reader.getChoice("dtype", {"F16", "F32"}));
+  tensor.shape = wholeNumbers(reader, "shape");
+  const std::vector<std::size_t> offsets = wholeNumbers(reader, "data_offsets");
+  reader.finish();
   if (offsets.size() != 2 || offsets[0] > offsets[1]) {
     failInput("{}: 'data_offsets' is no beginning and end; {}", range.place, kExportAgain);
   }
@@ -191,24 +174,7 @@ void checkRanges(std::vector<Range> ranges, std::size_t dataBytes, const std::st
   }
 }
 
-std::map<std::string, std::string> metadataOf(const json& value, const std::string& name) {
-  std::map<std::string, std::string> metadata;
-  if (!value.is_object()) failInput("{}: __metadata__: is no object; {}", name, kExportAgain);
-  for (const auto& [key, text] : value.items()) {
-    if (!text.is_string()) {
-      failInput("{}: __metadata__: '{}' is no text; write it as one", name, shown(key));
-    }
-    metadata.emplace(key, text.get<std::string>());
-  }
-  return metadata;
-}
-
 }  // namespace
-
-std::string shown(const std::string& text) {
-  constexpr std::size_t kShownCharacters = 60;
-  return oneLine(text.substr(0, kShownCharacters)) + (text.size() > kShownCharacters ? "..." : "");
-}
 
 Container parseSafetensors(std::span<const std::byte> bytes, const std::string& name) {
   const std::string_view text = headerOf(bytes, name);
@@ -218,10 +184,11 @@ Container parseSafetensors(std::span<const std::byte> bytes, const std::string& 
   std::vector<Range> ranges;
   for (const auto& [key, value] : header.items()) {
     if (key == "__metadata__") {
-      container.metadata = metadataOf(value, name);
+      if (!value.is_object()) failInput("{}: __metadata__: is no object; {}", name, kExportAgain);
+      container.metadata = value;
       continue;
     }
-    Range range{.place = fmt::format("{}: tensor '{}'", name, shown(key))};
+    Range range{.place = fmt::format("{}: tensor '{}'", name, shownText(key))};
     container.tensors.emplace(key, tensorOf(value, data, range));
     ranges.push_back(std::move(range));
   }

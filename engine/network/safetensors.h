@@ -1,18 +1,19 @@
 // The container: named tensors and a table of texts. Format: the README of Hugging Face's
-// safetensors. Its rules are checked: no duplicate keys, and every byte belongs to exactly
-// one tensor.
+// safetensors. Its rules are checked: no key twice, none that the format lacks, and every byte
+// belongs to exactly one tensor.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace macula::network {
 
-/// The types of the format that Macula reads.
+/// The types of the format that Macula reads, in the order of their names in safetensors.cpp.
 enum class ScalarType : std::uint8_t { F16, F32 };
 
 struct Tensor {
@@ -22,15 +23,12 @@ struct Tensor {
 };
 
 struct Container {
-  std::map<std::string, std::string> metadata;  ///< `__metadata__`
+  nlohmann::json metadata = nlohmann::json::object();  ///< `__metadata__`
   std::map<std::string, Tensor> tensors;
 };
 
 /// The fix that most messages end with: nobody repairs such a file by hand.
 inline constexpr const char* kExportAgain = "export the network again";
-
-/// Text of a file for a message: one line, cut where it is long.
-[[nodiscard]] std::string shown(const std::string& text);
 
 /// @param bytes the whole file; they must outlive the result @param name of the file in messages
 /// @throws InputError naming file, place and fix

@@ -10,6 +10,8 @@
 namespace macula::recording {
 namespace {
 
+// Lines of frames are put together here: the JSON library has one type of number, and would write
+// the floats of a line as the doubles that they become (0.1F as 0.10000000149011612) and 1 as 1.0.
 using Json = nlohmann::ordered_json;
 
 void appendWhole(std::uint64_t number, std::string& text) {

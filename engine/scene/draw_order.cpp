@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/camera_path.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene {
 namespace {

@@ -44,6 +44,12 @@ def stored_counts():
         return json.load(f)
 
 
+def equal(stored, made):
+    """Whether two image files are the same bytes, as equal pixels written by one library are."""
+    with open(stored, "rb") as a, open(made, "rb") as b:
+        return a.read() == b.read()
+
+
 def difference(stored, made):
     """@returns the errors between two images, as `macula compare` says them"""
     printed = subprocess.run([MACULA, "compare", stored, made, "--json", "-"], check=True,

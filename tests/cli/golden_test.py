@@ -41,10 +41,11 @@ def main():
                 print("FAILED: missing", stored)
                 failures += 1
                 continue
-            error = cases.difference(stored, made)
-            if error["max"] != 0:
-                print(f"FAILED {name}: {error}")
-                failures += 1
+            if not cases.equal(stored, made):  # or by another library, with the same pixels
+                error = cases.difference(stored, made)
+                if error["max"] != 0:
+                    print(f"FAILED {name}: {error}")
+                    failures += 1
             if cases.counts(report) != counts.get(name):
                 print(f"FAILED {name}: {cases.counts(report)}, stored {counts.get(name)}")
                 failures += 1

@@ -70,8 +70,8 @@ def click(x, y):
 
 def path_field():
     """Where the field for a path is on the scene tab: so far above the end of its panel."""
-    _, bare = walk("bare", "", "--no-panels", size="640x480")
-    _, shown = walk("scene", "1 tab scene\n", size="640x480")
+    bare = read_png(walk("bare", "", "--no-panels", size="640x480")[1])
+    shown = read_png(walk("scene", "1 tab scene\n", size="640x480")[1])
     rows = [y for y in range(8, 440) if differing(bare, shown, (PANEL[0], y, PANEL[2], y + 1)) > 0.5]
     return click(100, rows[-1] - 47)
 
@@ -148,7 +148,7 @@ def test_recording():
     _, panels = recorded("recorded")
     check(red_rows(panels, 80) and min(red_rows(panels, 80)) > min(red_rows(bare, 40)),
           "and with them, above the bar of keys")
-    _, none = walk("unrecorded", "", "--no-panels", size="640x480")
+    none = read_png(walk("unrecorded", "", "--no-panels", size="640x480")[1])
     check(not red_rows(none, 80), "nothing red is there without a recording")
     lines = said.splitlines()
     check(len(lines) == 2 and lines[0].startswith("recorded: recorded bare: 3 frames, ") and

@@ -91,7 +91,7 @@ def start(name, script, *options):
 
 
 def walk(name, script, *options, scene="layers-4", size="320x240", frames=3, gaze="0.8,0.5"):
-    """Numbers and picture of a run that must succeed."""
+    """Numbers and the picture's file of a run that must succeed."""
     done = start(name, script, scene, "--size", size, "--frames", str(frames), "--gaze", gaze,
                  *options)
     if done.returncode != 0:
@@ -99,7 +99,7 @@ def walk(name, script, *options, scene="layers-4", size="320x240", frames=3, gaz
         sys.exit(f"{name}: status {done.returncode}")
     check("user error" not in done.stderr.lower(), f"{name}: OpenGL is used rightly")
     with open(f"{name}.json", encoding="utf-8") as f:
-        return json.load(f), read_png(f"{name}.png")
+        return json.load(f), f"{name}.png"
 
 
 def compare(a, b):
@@ -109,21 +109,22 @@ def compare(a, b):
 
 
 def test_panels():
-    _, bare = walk("bare", "", "--no-panels", size="640x480")
+    bare = read_png(walk("bare", "", "--no-panels", size="640x480")[1])
     check(bare[:2] == SIZE, "bare: the picture is the window")
     shown = {}
     for tab in TABS:
-        numbers, shown[tab] = walk(f"tab-{tab}", f"1 tab {tab}\n", size="640x480")
+        numbers, picture = walk(f"tab-{tab}", f"1 tab {tab}\n", size="640x480")
+        shown[tab] = read_png(picture)
         check(shown[tab][:2] == SIZE and numbers["tab"] == tab, f"{tab}: is open")
         check(differing(bare, shown[tab], PANEL) > 0.5, f"{tab}: is drawn in its place")
         check(differing(bare, shown[tab], BESIDE) == 0.0, f"{tab}: leaves the picture beside it")
     for a, b in zip(TABS, TABS[1:]):
         check(differing(shown[a], shown[b], PANEL) > 0.02, f"{a} and {b} are different tabs")
-    _, numbers = walk("numbers", "1 press F9\n", size="640x480")
+    numbers = read_png(walk("numbers", "1 press F9\n", size="640x480")[1])
     check(differing(shown["view"], numbers, (350, 60, 620, 400)) > 0.5, "F9 opens the numbers")
-    _, page = walk("keys", "1 press F2\n", size="640x480")
+    page = read_png(walk("keys", "1 press F2\n", size="640x480")[1])
     check(differing(shown["view"], page, (200, 60, 480, 420)) > 0.5, "F2 shows the keys")
-    _, large = walk("large", "", "--ui-scale", "2", size="640x480")
+    large = read_png(walk("large", "", "--ui-scale", "2", size="640x480")[1])
     check(differing(shown["view"], large, (8, 8, 290, 460)) > 0.1, "--ui-scale changes the panels")
     found, _ = walk("search", "1 search exposure\n")
     check(found["search_hits"] == 1 and found["tab"] == "settings", "search finds the exposure")

@@ -10,7 +10,6 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/gaze/pcg32.h"
 #include "engine/gaze/quality.h"
 
 namespace macula::gaze {
@@ -91,35 +90,6 @@ TEST(SyntheticGaze, SeedsDifferAndOptionsAreChecked) {
   EXPECT_THROW((void)synthesizeGaze({.rateHz = std::nan("")}), InputError);
   EXPECT_THROW((void)synthesizeGaze({.blinksPerMinute = 1000.0}), InputError);
   EXPECT_THROW((void)synthesizeGaze({.dropouts = -1}), InputError);
-}
-
-TEST(Pcg32, GivesTheNumbersOfTheReference) {
-  Pcg32 random(42, 54);  // as pcg32-demo, whose first round these are
-  for (const std::uint32_t expected :
-       {0xa15c02b7U, 0x7b47f409U, 0xba1d3330U, 0x83d2f293U, 0xbfa4784bU, 0xcbed606eU}) {
-    EXPECT_EQ(random.next(), expected);
-  }
-}
-
-TEST(Pcg32, NumbersAreUniformAndGaussian) {
-  Pcg32 random(1);
-  double sum = 0.0;
-  double squares = 0.0;
-  const int n = 20000;
-  for (int i = 0; i < n; ++i) {
-    const double u = random.uniform();
-    ASSERT_TRUE(u >= 0.0 && u < 1.0);
-    sum += u;
-  }
-  EXPECT_NEAR(sum / n, 0.5, 0.01);  // five standard errors
-  sum = 0.0;
-  for (int i = 0; i < n; ++i) {
-    const double g = random.gauss();
-    sum += g;
-    squares += g * g;
-  }
-  EXPECT_NEAR(sum / n, 0.0, 0.035);
-  EXPECT_NEAR(squares / n, 1.0, 0.05);
 }
 
 }  // namespace

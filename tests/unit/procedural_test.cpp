@@ -11,7 +11,6 @@
 #include "engine/scene/procedural/circle.h"
 #include "engine/scene/procedural/depth_counter.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/textures.h"
 #include "tests/unit/plain_raster.h"
@@ -68,26 +67,6 @@ bool sameBits(const Scene& a, const Scene& b) {
     if (!same(a.images[i].rgba, b.images[i].rgba)) return false;
   }
   return same(a.instances, b.instances);
-}
-
-TEST(Random, GivesThePublishedSequence) {
-  // The demo program of O'Neill's pcg32 library: seed 42, stream 54.
-  Random random(42, 54);
-  EXPECT_EQ(random.next(), 0xa15c02b7U);
-  EXPECT_EQ(random.next(), 0x7b47f409U);
-  EXPECT_EQ(random.next(), 0xba1d3330U);
-  EXPECT_EQ(random.next(), 0x83d2f293U);
-}
-
-TEST(Random, StaysInItsRanges) {
-  Random random(1);
-  for (int i = 0; i < 10000; ++i) {
-    const float u = random.unit();
-    EXPECT_GE(u, 0.0F);
-    EXPECT_LT(u, 1.0F);
-    EXPECT_LT(random.below(7), 7U);
-    EXPECT_LE(glm::length(random.inBall()), 1.0F);
-  }
 }
 
 TEST(Circle, HitsQuartersExactlyAndTheRestClosely) {

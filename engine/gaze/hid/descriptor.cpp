@@ -90,13 +90,13 @@ class Parser {
       at_ = item->offset;
       switch (item->type) {
         case ItemType::Main:
-          main(*item);
+          mainItem(*item);
           break;
         case ItemType::Global:
-          global(*item);
+          globalItem(*item);
           break;
         case ItemType::Local:
-          local(*item);
+          localItem(*item);
           break;
         case ItemType::Reserved:
           break;
@@ -113,7 +113,7 @@ class Parser {
     failInput("{}: report descriptor, byte {}: {}", name_, at_, reason);
   }
 
-  void main(const Item& item) {
+  void mainItem(const Item& item) {
     if (local_.delimited) fail("a delimiter is never closed");
     switch (item.tag) {
       case tag::kInput:
@@ -187,7 +187,7 @@ class Parser {
     }
   }
 
-  void global(const Item& item) {
+  void globalItem(const Item& item) {
     switch (item.tag) {
       case tag::kUsagePage:
         now_.usagePage = static_cast<std::uint16_t>(item.data);
@@ -235,7 +235,7 @@ class Parser {
     }
   }
 
-  void local(const Item& item) {
+  void localItem(const Item& item) {
     switch (item.tag) {
       case tag::kDelimiter: {
         const bool opens = item.data != 0;

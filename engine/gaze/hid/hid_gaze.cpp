@@ -57,8 +57,8 @@ double steadySeconds() {
 /// The reader with the pipeline on it.
 class HidGaze final : public GazeSource {
  public:
-  HidGaze(TrackerChoice choice, const GazeSettings& settings)
-      : reader_(std::move(choice)), settings_(settings) {}
+  HidGaze(TrackerChoice choice, GazeSettings settings)
+      : reader_(std::move(choice)), settings_(std::move(settings)) {}
 
   [[nodiscard]] PointOfInterest at(double timeSeconds) override {
     if (!gaze_) {

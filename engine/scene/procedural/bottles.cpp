@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/depth_counter.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/scene_builder.h"
 #include "engine/scene/procedural/textures.h"

@@ -3,11 +3,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/car_parts.h"
 #include "engine/scene/procedural/circle.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/leaf.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene::car {
 namespace {
@@ -84,7 +85,7 @@ class Tree {
     std::vector<float> radii{radius};
     glm::vec3 direction = heading;
     for (int i = 1; i <= kSteps; ++i) {
-      direction = glm::normalize(direction + 0.22F * random_.inBall());
+      direction = glm::normalize(direction + 0.22F * inBall(random_));
       path.push_back(path.back() + direction * (length / static_cast<float>(kSteps)));
       radii.push_back(radius * (1.0F - 0.35F * static_cast<float>(i) / static_cast<float>(kSteps)));
     }
@@ -116,7 +117,7 @@ class Tree {
       const float t = static_cast<float>(i) / kLeaves * static_cast<float>(path.size() - 1);
       const auto k = static_cast<std::size_t>(t);
       const glm::vec3 foot =
-          glm::mix(path[k], path[k + 1], t - static_cast<float>(k)) + 0.05F * random_.inBall();
+          glm::mix(path[k], path[k + 1], t - static_cast<float>(k)) + 0.05F * inBall(random_);
       const float tone = random_.unit();
       const glm::vec4 color{glm::mix(0.045F, 0.20F, tone), glm::mix(0.13F, 0.28F, tone), 0.03F,
                             1.0F};

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/chess_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/pixels.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/textures.h"
 

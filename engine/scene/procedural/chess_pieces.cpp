@@ -4,11 +4,11 @@
 #include <initializer_list>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/chess_parts.h"
 #include "engine/scene/procedural/circle.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/patch.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene::chess {
 namespace {

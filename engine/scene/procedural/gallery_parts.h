@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "engine/scene/procedural/random.h"
+#include "engine/core/random.h"
 #include "engine/scene/procedural/scene_builder.h"
 
 namespace macula::scene::gallery {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/scene/procedural/gallery_parts.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/leaf.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/textures.h"
@@ -136,7 +137,7 @@ void addBowl(SceneBuilder& builder, const Palette& palette) {
   Primitive coals;
   Random random(3);
   for (int i = 0; i < 30; ++i) {
-    const glm::vec3 p = random.inBall() * glm::vec3(0.30F, 0.03F, 0.30F);
+    const glm::vec3 p = inBall(random) * glm::vec3(0.30F, 0.03F, 0.30F);
     addSphere(coals, p + glm::vec3(0.0F, 0.86F, 0.0F), random.range(0.03F, 0.07F), 12);
   }
   builder.addOnce(std::move(coals), builder.material(ember), place(kBowlPlace));
@@ -150,10 +151,10 @@ void addSmoke(SceneBuilder& builder, std::uint64_t seed) {
   Primitive mesh;
   for (int i = 0; i < kPuffs; ++i) {
     const float t = (static_cast<float>(i) + random.unit()) / kPuffs;
-    const glm::vec3 ball = random.inBall();
+    const glm::vec3 ball = inBall(random);
     const glm::vec3 lean{-0.35F * t * t, kFoot + kRise * t, 0.25F * t * t};
     const glm::vec3 center = kBowlPlace + lean + ball * (0.10F + 0.32F * t);
-    const glm::vec3 axis = random.inBall() * glm::vec3(1.0F, 0.5F, 1.0F) + glm::vec3(0, 0, 0.05F);
+    const glm::vec3 axis = inBall(random) * glm::vec3(1.0F, 0.5F, 1.0F) + glm::vec3(0, 0, 0.05F);
     const glm::vec3 color = glm::mix(glm::vec3(0.62F, 0.40F, 0.26F), glm::vec3(0.42F, 0.45F, 0.50F),
                                      std::min(2.5F * t, 1.0F));
     addPuff(mesh, center, glm::normalize(axis + glm::vec3(0.0F, 0.01F, 0.0F)), 0.16F + 0.42F * t,

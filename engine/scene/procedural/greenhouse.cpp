@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/depth_counter.h"
 #include "engine/scene/procedural/greenhouse_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 
 namespace macula::scene {

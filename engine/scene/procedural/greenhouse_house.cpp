@@ -2,9 +2,9 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/greenhouse_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/textures.h"
 
 namespace macula::scene::greenhouse {

@@ -1,9 +1,10 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/greenhouse_parts.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/leaf.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene::greenhouse {
 namespace {
@@ -58,7 +59,7 @@ Primitive grassy(const glm::vec3& color, int blades, float size, Random& random)
     leaf.rise = random.range(1.4F, 3.0F);
     leaf.droop = random.range(0.9F, 1.9F);
     leaf.width = random.range(0.036F, 0.056F);
-    leaf.foot = random.inBall() * glm::vec3(0.05F, 0.0F, 0.05F);
+    leaf.foot = inBall(random) * glm::vec3(0.05F, 0.0F, 0.05F);
     addLeaf(mesh, leaf, 5, shade(color, random.range(0.6F, 1.1F), random.range(0.3F, 0.55F)),
             blade);
   }

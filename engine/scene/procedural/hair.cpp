@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/circle.h"
 #include "engine/scene/procedural/depth_counter.h"
 #include "engine/scene/procedural/hair_head.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/ribbon.h"
 
@@ -58,7 +59,7 @@ class Barber {
   void grow(std::span<const Curve> curves, int pointsEach, float wave, const glm::vec3& color) {
     const glm::vec3 root = curves.front().a;
     const glm::vec3 leaving = curves.front().b - root;
-    const glm::vec3 jitter = random_.inBall();
+    const glm::vec3 jitter = inBall(random_);
     // Across the plane in which the strand bends, so that it lies flat on what it falls over.
     const glm::vec3 across = glm::normalize(glm::cross(leaving, curves.back().d - root));
     const glm::vec3 side = glm::normalize(across + 0.5F * jitter);
@@ -113,10 +114,10 @@ void growBeard(Barber& barber) {
     const float height = random.range(-1.0F, -0.28F) + 4.0F * azimuth * azimuth;
     const glm::vec2 around = onCircle(azimuth);
     const Root root = rootAt({around.y, height, around.x});
-    const glm::vec3 spread = random.inBall() * head::kTieRadius * glm::vec3(0.62F, 0.0F, 0.62F);
+    const glm::vec3 spread = inBall(random) * head::kTieRadius * glm::vec3(0.62F, 0.0F, 0.62F);
     const glm::vec3 tie = head::kTie + spread;
     const float tail = random.range(0.14F, 0.38F);
-    const glm::vec3 flare = 3.6F * spread + random.inBall() * 0.05F;
+    const glm::vec3 flare = 3.6F * spread + inBall(random) * 0.05F;
     const glm::vec3 end = tie + glm::vec3(flare.x, -tail, 0.6F * flare.z);
     const float bulge = random.range(0.16F, 0.32F);
     const std::array<Curve, 2> curves{
@@ -160,7 +161,7 @@ void growWhiskers(Barber& barber) {
   Random& random = barber.random();
   for (int i = 0; i < kWhiskers; ++i) {
     const float side = i % 2 == 0 ? -1.0F : 1.0F;
-    const glm::vec3 loose = random.inBall();
+    const glm::vec3 loose = inBall(random);
     const glm::vec3 from{side * random.range(0.01F, 0.15F), 1.36F + 0.025F * loose.y, 0.40F};
     const glm::vec3 tip{side * (0.60F + 0.03F * loose.x), 1.44F + 0.03F * loose.y,
                         0.42F + 0.03F * loose.z};
@@ -178,7 +179,7 @@ void growBrows(Barber& barber) {
   for (int i = 0; i < kBrows; ++i) {
     const float side = i % 2 == 0 ? -1.0F : 1.0F;
     const float x = random.range(0.06F, 0.24F);
-    const glm::vec3 loose = random.inBall();
+    const glm::vec3 loose = inBall(random);
     const glm::vec3 from{side * x, 1.70F + 0.015F * loose.y - 0.6F * (x - 0.14F) * (x - 0.14F),
                          0.405F - 0.5F * x * x};
     const glm::vec3 end = from + glm::vec3(side * random.range(0.05F, 0.11F),

@@ -3,10 +3,11 @@
 #include <glm/glm.hpp>
 #include <utility>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/circle.h"
 #include "engine/scene/procedural/depth_counter.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/ribbon.h"
 #include "engine/scene/procedural/scene_builder.h"
@@ -26,7 +27,7 @@ constexpr float kThickness = 0.0050F;  // half the width of a strand, metres
 /// A unit vector in a direction of equal chance.
 glm::vec3 randomDirection(Random& random) {
   for (;;) {
-    const glm::vec3 p = random.inBall();
+    const glm::vec3 p = inBall(random);
     const float length = glm::length(p);
     if (length > 0.1F) return p / length;
   }

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 
 namespace macula::scene {

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/circle.h"
 #include "engine/scene/procedural/marble_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/patch.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene::marble {
 namespace {

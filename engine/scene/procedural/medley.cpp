@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 #include <utility>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/medley_parts.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 
 namespace macula::scene {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/medley_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/pixels.h"
@@ -67,7 +68,7 @@ void addPuffs(Group& group) {
   const float spread = group.size * group.size * (form == Cloud ? 2.2F : 2.6F);
   const int count = group.pieces(2.0F * radius * radius, spread, dishes ? kDish : kQuad);
   const glm::vec3 middle = group.foot + glm::vec3(0.0F, group.size, 0.0F);
-  const glm::vec3 lean = random.inBall() * glm::vec3(0.6F, 0.0F, 0.6F);
+  const glm::vec3 lean = inBall(random) * glm::vec3(0.6F, 0.0F, 0.6F);
   Primitive mesh;
   for (int i = 0; i < count; ++i) {
     const glm::vec3 ball = group.scatter();
@@ -82,7 +83,7 @@ void addPuffs(Group& group) {
     }
     // Towards the camera, but not so strictly that an orbit sees them edge-on all at once.
     const glm::vec3 towards = glm::normalize(group.stage.camera().position - center);
-    const glm::vec3 axis = glm::normalize(towards + 0.85F * random.inBall());
+    const glm::vec3 axis = glm::normalize(towards + 0.85F * inBall(random));
     const float shade = 0.7F + 0.3F * (0.5F + 0.5F * ball.y);
     const glm::vec3 color = shade * group.palette.color(random);
     const float alpha = alphas.pick(random);
@@ -143,7 +144,7 @@ void addSheets(Group& group) {
     const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);  // front to back
     const glm::vec2 half =
         group.size * glm::vec2{random.range(0.6F, 1.5F), random.range(0.5F, 1.1F)};
-    const glm::vec3 shift = random.inBall() * group.size * glm::vec3(0.35F, 0.0F, 0.12F);
+    const glm::vec3 shift = inBall(random) * group.size * glm::vec3(0.35F, 0.0F, 0.12F);
     glm::vec3 foot = group.foot + shift;
     float turns = turn;
     if (form == Parallel) foot.z += group.size * (1.0F - 2.0F * t);
@@ -178,9 +179,9 @@ void addConfetti(Group& group) {
   Primitive mesh;
   for (int i = 0; i < count; ++i) {
     const glm::vec3 center = middle + group.size * extent * group.scatter();
-    const std::array<glm::vec3, 3> corners{center + side * random.inBall(),
-                                           center + side * random.inBall(),
-                                           center + side * random.inBall()};
+    const std::array<glm::vec3, 3> corners{center + side * inBall(random),
+                                           center + side * inBall(random),
+                                           center + side * inBall(random)};
     const glm::vec4 color{group.palette.color(random), alphas.pick(random)};
     const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = glm::length(across);

@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/depth_counter.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/scene_builder.h"
 
 namespace macula::scene::medley {

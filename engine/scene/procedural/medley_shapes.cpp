@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/scene/procedural/circle.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/medley_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
 #include "engine/scene/procedural/patch.h"
@@ -63,8 +64,8 @@ enum StrandForm : std::uint32_t { Tuft, Tassel, Wound, Stream, StrandForms };
 
 /// In units of the group's size, about its foot.
 Curve strandOf(StrandForm form, float stray, Random& random) {
-  const glm::vec3 p = random.inBall();
-  const glm::vec3 q = random.inBall();
+  const glm::vec3 p = inBall(random);
+  const glm::vec3 q = inBall(random);
   const glm::vec3 level(1.0F, 0.0F, 1.0F);
   switch (form) {
     case Tuft: {
@@ -88,7 +89,7 @@ Curve strandOf(StrandForm form, float stray, Random& random) {
       const glm::vec3 middle(0.0F, 1.0F, 0.0F);
       const glm::vec3 side(1.6F, 0.0F, 0.0F);
       return {middle - side + 0.4F * p, middle + (0.4F + stray) * q,
-              middle + side + 0.4F * random.inBall()};
+              middle + side + 0.4F * inBall(random)};
     }
   }
 }
@@ -120,7 +121,7 @@ void addGlass(Group& group) {
   for (int level = 0; level < levels; ++level) {
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns && placed < most; ++column) {
-        const glm::vec3 jitter = 0.18F * step * random.inBall();
+        const glm::vec3 jitter = 0.18F * step * inBall(random);
         const float turns = random.unit();
         const glm::vec3 color = group.palette.color(random);
         const float alpha = alphas.pick(random);
@@ -209,7 +210,7 @@ void addShells(Group& group) {
     append(shell, unit, transform);
     paint(shell, glm::vec4{group.palette.color(random), alphas.pick(random)});
     group.stage.add(mesh, shell);
-    center += wander * gap * squeeze * random.inBall();
+    center += wander * gap * squeeze * inBall(random);
   }
   Material material = group.material("shells");
   material.doubleSided = random.below(3) != 0;

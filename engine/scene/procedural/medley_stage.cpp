@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/scene/procedural/circle.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/medley_parts.h"
 #include "engine/scene/procedural/mesh_builder.h"
 
@@ -61,7 +62,7 @@ float Alphas::pick(Random& random) const {
 
 glm::vec3 direction(Random& random) {
   for (;;) {
-    const glm::vec3 p = random.inBall();
+    const glm::vec3 p = inBall(random);
     const float length = glm::length(p);
     if (length > 0.1F) return p / length;  // nearer to the middle, rounding would show
   }
@@ -105,7 +106,7 @@ bool Stage::add(Primitive& group, const Primitive& piece) {
 }
 
 glm::vec3 Group::scatter() {
-  const glm::vec3 p = random.inBall();
+  const glm::vec3 p = inBall(random);
   return p * glm::mix(1.0F, 1.3F * random.unit(), looseness);
 }
 

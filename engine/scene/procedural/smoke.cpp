@@ -3,9 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/depth_counter.h"
+#include "engine/scene/procedural/in_ball.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/scene_builder.h"
 #include "engine/scene/procedural/textures.h"
@@ -49,7 +50,7 @@ void addBrazier(SceneBuilder& builder) {
   Primitive coals;
   Random random(7);
   for (int i = 0; i < 24; ++i) {
-    const glm::vec3 p = random.inBall() * glm::vec3(0.28F, 0.03F, 0.28F);
+    const glm::vec3 p = inBall(random) * glm::vec3(0.28F, 0.03F, 0.28F);
     addSphere(coals, p + glm::vec3(0.0F, 0.68F, 0.0F), random.range(0.03F, 0.07F), 10);
   }
   builder.addOnce(std::move(coals), builder.material(ember));
@@ -61,10 +62,10 @@ void addPlume(SceneBuilder& builder, const Camera& camera, std::uint64_t seed) {
   Primitive plume;
   for (int i = 0; i < kAttempts; ++i) {
     const float t = random.unit();
-    const glm::vec3 spread = random.inBall() * (0.12F + 0.75F * t);
+    const glm::vec3 spread = inBall(random) * (0.12F + 0.75F * t);
     const glm::vec3 center = plumeCenter(t) + spread * glm::vec3(1.0F, 0.5F, 1.0F);
     // Mostly towards the sides, so that from every level direction some puffs are seen broadly.
-    const glm::vec3 axis = random.inBall() * glm::vec3(1.0F, 0.55F, 1.0F);
+    const glm::vec3 axis = inBall(random) * glm::vec3(1.0F, 0.55F, 1.0F);
     const float length = glm::length(axis);
     const float radius = random.range(0.75F, 1.25F) * (0.2F + 0.42F * t);
     const float alpha = random.range(0.1F, 0.4F);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/pixels.h"
-#include "engine/scene/procedural/random.h"
 
 namespace macula::scene {
 

@@ -23,12 +23,12 @@ class FirstImage {
 
   /// Draws the scene without what is transparent, whose programs take longest, and shows it. A
   /// scene without transparent surfaces, or one that the device refuses, is left to the frame.
-  void show(const passes::RenderSettings& settings, passes::DeviceContext& device,
+  /// @return whether it is shown
+  bool show(const passes::RenderSettings& settings, passes::DeviceContext& device,
             const scene::GpuScene& gpu, const FrameEvents& view);
-  /// Shows a bar over it, now and then. @param done steps of total, see gl::ProgramCache::Progress
+  /// Shows a bar over it, or over nothing until it is there, now and then. @param done steps of
+  /// total, see gl::ProgramCache::Progress
   void showProgress(std::size_t done, std::size_t total, glm::ivec2 window);
-  /// The frame is there: its memory is given back.
-  void close() { opaque_.reset(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -41,7 +41,7 @@ class FirstImage {
 
   const Screen& screen_;
   std::function<void()> swap_;
-  std::unique_ptr<Opaque> opaque_;
+  std::unique_ptr<Opaque> opaque_;  ///< once it is drawn
   std::optional<Clock::time_point> shown_;
 };
 

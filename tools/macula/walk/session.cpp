@@ -106,10 +106,7 @@ void WalkSession::loadingFrame() {
   constexpr int kFramesUntilSeen = 2;
   if (!device_ && loadingFrames_ >= kFramesUntilSeen) {
     device_ = std::make_unique<passes::DeviceContext>();
-    firstImage_ = std::make_unique<FirstImage>(screen_, [this] {
-      window_.swap();
-      if (!firstImageMs_) firstImageMs_ = 1e3 * secondsBetween(begin_, Clock::now());
-    });
+    firstImage_ = std::make_unique<FirstImage>(screen_, [this] { window_.swap(); });
     renderer_ = std::make_unique<passes::FrameRenderer>(options_.settings, *device_);
     second_ = std::make_unique<SecondView>(options_.settings, *device_);
     control_ = std::make_unique<FrameControl>(options_.control, options_.settings, device_->time);

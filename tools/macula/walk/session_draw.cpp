@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
@@ -30,7 +31,9 @@ void WalkSession::draw() {
     device_->programs.onProgress([this](std::size_t done, std::size_t total) {
       firstImage_->showProgress(done, total, size_);
     });
-    firstImage_->show(options_.settings, *device_, *scene_.gpu, events_);
+    if (firstImage_->show(options_.settings, *device_, *scene_.gpu, events_)) {
+      firstImageMs_ = std::chrono::duration<double, std::milli>(Clock::now() - begin_).count();
+    }
   }
   const double before = threadMs();
   for (;;) {
