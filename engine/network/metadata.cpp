@@ -124,7 +124,8 @@ Network parseMetadata(const nlohmann::json& metadata, const std::string& name) {
       static_cast<OutputActivation>(reader.getChoice("output_activation", {"none", "sigmoid"}));
   network.command = reader.get<std::string>("command");
   network.dataHash = hashOf(reader);
-  reader.finish();
+  // All of these are needed, so that no misspelt key passes: further ones are notes on the
+  // training, which safetensors files keep here.
   return network;
 }
 

@@ -14,7 +14,7 @@
 #define OIT_LISTS 3
 #define LIST_OF_TILES 0    // all tiles
 #define LIST_OF_SAMPLES 1  // a sample of the pixels, for the search for the multiplier
-#define LIST_OF_DEEP 2     // tiles of oit/resolve.comp with a pixel of more than it sorts in registers
+#define LIST_OF_DEEP 2  // tiles of oit/resolve.comp with a pixel of more than it sorts in registers
 
 // Bins of the histogram of counts; a deeper pixel counts as this deep.
 #define COUNT_BINS 1024

@@ -177,7 +177,6 @@ std::vector<Case> metadataCases() {
            "train the hidden layers with it"),
       text("OutputActivationUnknown", "output_activation", "tanh", "is 'tanh'",
            "give one of none, sigmoid"),
-      text("KeyUnknown", "comand", "train.py", "is not known", "the nearest is 'command'"),
       text("ModelEmpty", "model", "", "is ''", "give a text in quotes (a name)"),
       text("FeatureEmpty", "features", "depth,", "holds the name ''", "by commas alone"),
       text("FeatureWithBlank", "features", "depth, normal", "holds the name ' normal'",

@@ -114,6 +114,12 @@ TEST(Network, EvaluateWantsEveryFeature) {
   EXPECT_THROW(static_cast<void>(evaluate(network, std::array{1.0F})), std::invalid_argument);
 }
 
+TEST(Network, FurtherMetadataIsLeftAlone) {
+  test::NetworkFile file = test::smallFile();
+  file.header["__metadata__"]["epochs"] = "20";
+  EXPECT_EQ(test::parse(file.bytes()).layers.size(), 2U);
+}
+
 TEST(Network, HalvesAreExact) {
   const auto floatOfHalf = [](std::uint16_t half) {
     const std::array bytes{static_cast<std::byte>(half & 0xFFU),

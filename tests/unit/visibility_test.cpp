@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/scene/procedural/random.h"
+#include "engine/core/random.h"
 #include "engine/scene/view.h"
 
 namespace macula::scene {

@@ -1,8 +1,8 @@
 #include <array>
 #include <string>
 
+#include "engine/core/random.h"
 #include "engine/scene/procedural/mesh_builder.h"
-#include "engine/scene/procedural/random.h"
 #include "engine/scene/procedural/recipes.h"
 #include "engine/scene/procedural/scene_builder.h"
 
