@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """BENCHMARKS.md, and the numbers that documents quote, from docs/benchmarks/*.csv.
 
-  tools/benchmarks.py                  writes BENCHMARKS.md and the marked numbers again
+  tools/benchmarks.py                  writes BENCHMARKS.md, the marked numbers and the marked tables again
   tools/benchmarks.py --check          changes nothing; status 1 where one of them is not current
   tools/benchmarks.py --from DIR NAME  takes the results in DIR over as docs/benchmarks/NAME.csv first
 
@@ -22,6 +22,7 @@ import benchmark_files as files
 
 PAGE = files.ROOT / "BENCHMARKS.md"
 NOTES = files.FOLDER / "notes.toml"
+TABLE = re.compile(r"<!-- table (?P<name>[\w.-]+\.csv) -->.*?<!-- end of table -->", re.DOTALL)
 # What is kept of results.csv: where a point stands, and the metrics that documents speak of.
 POINT = ["study", "scene", "width", "height", "light", "variant", "label", "budget", "sweep",
          "status", "ms.transparency", "ms.transparency.p5", "ms.transparency.p95", "ms.shading",
@@ -182,6 +183,14 @@ def table_lines(about, rows):
     return [*lines, *("| " + " | ".join(row.values()) + " |" for row in rows)]
 
 
+def with_tables(text):
+    """A document with its tables of result files as the files have them."""
+    def table(match):
+        about, rows = files.read(match["name"])
+        return "\n".join([f"<!-- table {match['name']} -->", *table_lines(about, rows)[4:], "<!-- end of table -->"])
+    return TABLE.sub(table, text)
+
+
 def page():
     """BENCHMARKS.md as the files have it."""
     notes = tomllib.loads(NOTES.read_text(encoding="utf-8"))
@@ -190,7 +199,7 @@ def page():
         about, rows = files.read(path.name)
         if "law" in rows[0]:
             lines += plant_lines(about, rows)
-        elif about.get("kind") == "table":
+        elif about.get("kind") == "table" and "page" not in about:
             lines += table_lines(about, rows)
         elif path.name.endswith(".claims.csv"):
             lines += heading(about)
@@ -214,7 +223,7 @@ def main():
         take_over(*options.run)
     texts = {PAGE: page()}
     for path in files.documents():
-        texts[path] = files.MARKER.sub(files.corrected, path.read_text(encoding="utf-8"))
+        texts[path] = with_tables(files.MARKER.sub(files.corrected, path.read_text(encoding="utf-8")))
     stale = [path for path, text in texts.items()
              if not path.is_file() or path.read_text(encoding="utf-8") != text]
     for path in stale:

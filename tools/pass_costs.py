@@ -108,7 +108,7 @@ def main():
         report = results[-1][1]
         files.write(pathlib.Path(options.out), {
             "kind": "table", "title": "What an item of a pass costs", "commit": report["provenance"]["commit"],
-            "command": "tools/pass_costs.py", "renderer": report["gl"]["renderer"],
+            "command": "tools/pass_costs.py", "page": "docs/performance.md", "renderer": report["gl"]["renderer"],
             "date": datetime.date.today().isoformat(), "sizes": options.size, "rounds": options.rounds},
             COLUMNS, [row for row, _ in results])
 

@@ -24,8 +24,8 @@ struct Draw {
   Bounds bounds;
   DrawRun key;
 
-  /// Few runs; of transparent draws, in the order of the instances, as far as the state allows, for
-  /// methods whose image depends on it.
+  /// By material, so that there are few runs; or in the order of the instances as far as the state
+  /// allows.
   [[nodiscard]] auto order(bool byMaterial) const {
     const std::int32_t textured = key.features.textures != 0 ? key.material : kNone;
     return std::make_tuple(key.cull, key.mask, key.lit, textured, key.holed,
@@ -149,7 +149,9 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
     (material.isTransparent() ? transparent : opaque).push_back(draw);
   }
   opaque_ = makeList("opaque draws", std::move(opaque), true, order);
-  transparent_ = makeList("transparent draws", std::move(transparent), false, order);
+  transparent_ = makeList("transparent draws", transparent, true, order);
+  transparentInOrder_ =
+      makeList("transparent draws in order", std::move(transparent), false, order);
 }
 
 }  // namespace macula::scene

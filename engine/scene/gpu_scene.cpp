@@ -67,6 +67,9 @@ GpuScene::GpuScene(const Scene& scene, const Environment* environment, DrawOrder
   uploadLights(scene, environment);
   bytes_ += positions_.bytes() + attributes_.bytes() + indices_.bytes() + instances_.bytes() +
             materials_.bytes() + lights_.bytes();
+  for (const DrawList* list : {&opaque_, &transparent_, &transparentInOrder_}) {
+    bytes_ += list->commands.bytes();
+  }
   for (const gl::Texture& image : images_) bytes_ += image.bytes();
   if (environment_) bytes_ += environment_.bytes();
 }
@@ -181,7 +184,7 @@ void GpuScene::bindMaterial(const DrawRun& run) const {
 }
 
 void GpuScene::chooseVisible(const glm::mat4& viewProjection) const {
-  for (const DrawList* list : {&opaque_, &transparent_}) {
+  for (const DrawList* list : {&opaque_, &transparent_, &transparentInOrder_}) {
     for (std::size_t i = 0; i < list->bounds.size(); ++i) {
       list->visible[i] = mayBeSeen(list->bounds[i], viewProjection) ? 1 : 0;
     }

@@ -69,6 +69,8 @@ class GpuScene {
   [[nodiscard]] const SceneFacts& facts() const { return facts_; }
   [[nodiscard]] const DrawList& opaque() const { return opaque_; }
   [[nodiscard]] const DrawList& transparent() const { return transparent_; }
+  /// The same in the order of the scene's instances, for methods whose image depends on it.
+  [[nodiscard]] const DrawList& transparentInOrder() const { return transparentInOrder_; }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Least and greatest distance from a camera to transparent surfaces.
   [[nodiscard]] glm::vec2 transparentDistances(const Camera& camera) const {
@@ -128,6 +130,7 @@ class GpuScene {
   std::vector<MaterialTextures> materialTextures_;
   DrawList opaque_;
   DrawList transparent_;
+  DrawList transparentInOrder_;
   std::uint64_t bytes_ = 0;
 
   /// Where a primitive's vertices and indices begin.

@@ -28,8 +28,8 @@ class BlendPass final : public OitPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    variants_.prepare(in.gpu->transparent().runs, "oit/blend.frag", lightingDefines(in.facts), {},
-                      programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/blend.frag",
+                      lightingDefines(in.facts), {}, programs);
   }
 
  private:
@@ -38,7 +38,7 @@ class BlendPass final : public OitPass {
   void run(frame::PassContext& context) override {
     const scene::GpuScene& gpu = *context.inputs().gpu;
     gl::apply({.depthTest = true, .blend = gl::Blend::Premultiplied});
-    variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
+    variants_.draw(gpu, gpu.transparentInOrder(), gpu.transparentInOrder().runs);
   }
 
   SceneVariants variants_;
@@ -59,8 +59,8 @@ class WeightedPass final : public OitPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    variants_.prepare(in.gpu->transparent().runs, "oit/weighted.frag", lightingDefines(in.facts),
-                      {}, programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/weighted.frag",
+                      lightingDefines(in.facts), {}, programs);
   }
 
  private:
@@ -72,7 +72,7 @@ class WeightedPass final : public OitPass {
     constexpr GLfloat kNone[4]{};
     glClearBufferfv(GL_COLOR, 0, kNone);
     glClearBufferfv(GL_COLOR, 1, kNone);
-    variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
+    variants_.draw(gpu, gpu.transparentInOrder(), gpu.transparentInOrder().runs);
   }
 
   SceneVariants variants_;

@@ -88,8 +88,8 @@ class CapturePass final : public OitPass {
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     gl::Defines defines = captureDefines(plan_);
     for (auto& define : lightingDefines(in.facts)) defines.push_back(std::move(define));
-    variants_.prepare(in.gpu->transparent().runs, "oit/capture.frag", defines,
-                      captureExtensions(plan_), programs);
+    variants_.prepare(drawsOf(*in.gpu).runs, "oit/capture.frag", defines, captureExtensions(plan_),
+                      programs);
   }
 
  private:
@@ -102,7 +102,13 @@ class CapturePass final : public OitPass {
     } else {
       gl::apply({.depthTest = true});
     }
-    variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
+    variants_.draw(gpu, drawsOf(gpu), drawsOf(gpu).runs);
+  }
+
+  /// Only what is kept nearest first does not depend on the order.
+  [[nodiscard]] const scene::DrawList& drawsOf(const scene::GpuScene& gpu) const {
+    const bool ordered = plan_.method->sorts() && !plan_.method->isRacy();
+    return ordered ? gpu.transparent() : gpu.transparentInOrder();
   }
 
   SceneVariants variants_;

@@ -142,8 +142,8 @@ class RoutedPass final : public OitPass {
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     routing_ = routingProgram(programs);
-    variants_.prepare(in.gpu->transparent().runs, "oit/routed.frag", lightingDefines(in.facts), {},
-                      programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/routed.frag",
+                      lightingDefines(in.facts), {}, programs);
     if (mode_ == RoutingMode::None) mode_ = checkRouting();
     if (mode_ == RoutingMode::None) {
       failInput(
@@ -161,7 +161,7 @@ class RoutedPass final : public OitPass {
     glClearBufferuiv(GL_COLOR, 0, kEmpty);
     prepareRouting(routing_, fullScreen_, plan_.layers);
     beginRouting(mode_);
-    variants_.draw(gpu, gpu.transparent(), gpu.transparent().runs);
+    variants_.draw(gpu, gpu.transparentInOrder(), gpu.transparentInOrder().runs);
     endRouting();
   }
 
