@@ -76,7 +76,9 @@ def measure(options, case, bound, folder):
                 for name in PASSES:
                     into.setdefault(name, []).append(frame["ms"].get(name, 0.0))
     width, height = (int(n) for n in options.size.split("x"))
-    fragments = report["frames"][-1]["fragments"]["generated"]
+    # Blending does not count its fragments.
+    counted = draw(options, (case[0], "ab-sbuffer"), ROOT, folder / "out")
+    fragments = counted["frames"][-1]["fragments"]["generated"]
     for name, (_, _, each_fragment, size) in PASSES.items():
         ms = statistics.median(times[name])
         if ms == 0.0:
