@@ -8,8 +8,8 @@
 
 namespace macula::scene {
 
-/// Most lights whose types shaders are specialised by: each is a copy of the lighting's code, which
-/// in a scene of more lights takes longer to compile than it saves.
+/// Most lights whose types shaders are specialised by: each is a copy of the lighting's code, and
+/// this bounds its length.
 inline constexpr std::size_t kSpecialisedLights = 8;
 
 struct SceneFacts {

@@ -168,7 +168,8 @@ void addLight(inout Radiance sum, LightData light, uint type, bool shadowed, Rec
   float nDotL = dot(at.surface.normal, l);
   if (nDotL <= 0.0 || attenuation <= 0.0) return;
   if (shadowed) attenuation *= at.shadow;
-  // Both vectors are of unit length, so that the half vector's angles follow from theirs.
+  // Both vectors are of unit length, so that the angles of h = (l + v) / |l + v| follow from theirs:
+  // |l + v|^2 = 2 + 2 l.v, which vanishes where the light comes from straight behind.
   float lDotV = dot(l, at.toEye);
   float inverse = inversesqrt(max(2.0 + 2.0 * lDotV, 1e-12));
   float vDotH = max((1.0 + lDotV) * inverse, 0.0);

@@ -1,8 +1,9 @@
 // Sorting of fragments in registers, and their composition: runs are sorted by a network and merged while
 // they are composited. No array is indexed, so that a GPU keeps many threads in flight and a processor need
-// not scatter; DEEP: for pixels of more than SORT_BLOCK fragments, only their order is in one (the idea of register-based block sort is of
-// Knowles et al. 2014, "Fast Sorting for Exact OIT of Complex Scenes"). For oit/resolve.comp, which
-// declares where fragment i of the pixel is: uint slotOf(uint i).
+// not scatter. DEEP: pixels of more than SORT_BLOCK fragments keep their order, and nothing else, in an
+// array. The idea of register-based block sort is of Knowles et al. 2014, "Fast Sorting for Exact OIT of
+// Complex Scenes". For oit/resolve.comp, which declares where fragment i of the pixel is:
+// uint slotOf(uint i).
 
 struct Entry {
   uvec2 key;
@@ -56,7 +57,7 @@ struct Merge {
   uvec4 left;
 };
 
-/// Of `n` fragments from `begin` on, at most SORT_RUNS * SORT_RUN.
+/// Of `n` fragments from `begin` on, at most SORT_BLOCK.
 Merge sortedRuns(uint begin, uint n) {
   Merge m = Merge(uvec4(NO_KEY), uvec4(NO_KEY), uvec4(0u), uvec4(0u));
   for (uint run = 0u; run * SORT_RUN < n; ++run) {
@@ -100,7 +101,7 @@ uint takeNearest(inout Merge m, uint begin) {
 }
 
 #ifndef DEEP
-/// @param n at most SORT_RUNS * SORT_RUN
+/// @param n at most SORT_BLOCK
 void compositeRuns(inout Composite c, uint n) {
   Merge m = sortedRuns(0u, n);
   for (uint i = 0u; i < n; ++i) compositeUnder(c, slotOf(takeNearest(m, 0u)));

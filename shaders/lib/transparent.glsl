@@ -1,7 +1,7 @@
 // Radiance and coverage of a transparent fragment, premultiplied.
-// LIT: the run's material is lit. TRANSMISSION: it transmits. VERTEX_LIGHT: a cheap approximation of both instead, for
-// predictions, with light from the vertices; without textures and alpha tests (TEXTURED, HOLED) the
-// whole layer comes from the vertices.
+// LIT: the run's material is lit. TRANSMISSION: it transmits. VERTEX_LIGHT: a cheap approximation of
+// both instead, for predictions, with light from the vertices; without textures and alpha tests (TEXTURED,
+// HOLED) the whole layer comes from the vertices.
 #include "lib/frame.glsl"
 #if defined(VERTEX_LIGHT) && !defined(TEXTURED) && !defined(HOLED)
 layout(location = 3) in vec4 inFrontLayer;

@@ -1,8 +1,8 @@
 // Composites the stored fragments of each pixel over the opaque image, nearest first.
 // INSERTION_SORTED, INSERTION_ATOMIC: they are in order. INSERTION_APPEND: they are sorted here by
 // (depth, id): those of pixels of up to SORT_BLOCK, with a list of tiles that have others; DEEP: the
-// others, in these tiles. INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they are the samples of a
-// pixel. TAIL_IN_SLOT, TAIL_DENSE: the tail comes behind them.
+// others, in these tiles. INSERTION_LINKED: so are the links of a list. INSERTION_ROUTED: they are the
+// samples of a pixel. TAIL_IN_SLOT, TAIL_DENSE: the tail comes behind them.
 #include "shared/dispatch.h"
 layout(local_size_x = FULLSCREEN_GROUP, local_size_y = FULLSCREEN_GROUP) in;
 

@@ -16,7 +16,7 @@
 // numbers, one block to a component again; and still deeper ones are sorted in place.
 #define SORT_RUNS 4u
 #define SORT_RUN 8u
-#define SORT_BLOCK 32u
+#define SORT_BLOCK (SORT_RUNS * SORT_RUN)
 #define SORT_LARGE 128u
 
 // Slots of one pixel; more would only be unused.
