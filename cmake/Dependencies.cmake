@@ -11,6 +11,7 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 find_package(ZLIB REQUIRED)  # gzipped gaze logs, CRC of PNG
+find_package(meshoptimizer REQUIRED)
 find_package(TinyGLTF REQUIRED)  # its header; engine/scene compiles it
 if(MACULA_WINDOW)
   find_package(glfw3 3.3 REQUIRED)

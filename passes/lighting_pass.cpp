@@ -33,7 +33,7 @@ std::string LightingPass::reason(const frame::FrameInputs& in) const {
 }
 
 void LightingPass::prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) {
-  program_ = programs.get({{"lighting.comp"}, shadingDefines(in.facts, work(), lod_.parts), {}});
+  program_ = programs.get({{"lighting.comp"}, shadingDefines(in, work(), lod_.parts), {}});
 }
 
 void LightingPass::execute(frame::PassContext& context) {

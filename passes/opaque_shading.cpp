@@ -19,9 +19,9 @@ void declareShadingInputs(frame::PassDeclaration& d, const scene::SceneFacts& fa
   if (lights) d.texture(TEX_INPUT4, kEmissive);
 }
 
-gl::Defines shadingDefines(const scene::SceneFacts& facts, ShadingWork work,
-                           const LodParts& parts) {
-  gl::Defines defines = lightingDefines(facts);
+gl::Defines shadingDefines(const frame::FrameInputs& in, ShadingWork work, const LodParts& parts) {
+  const scene::SceneFacts& facts = in.facts;
+  gl::Defines defines = lightingDefines(in);
   if (facts.opaqueTriangles == 0) defines.emplace_back("NOTHING_OPAQUE", "1");
   if (facts.litOpaque) defines.emplace_back("LIT", "1");
   if (facts.veins) defines.emplace_back("VEINS", "1");

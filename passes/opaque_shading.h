@@ -3,8 +3,8 @@
 
 #include "engine/frame/pass.h"
 #include "engine/gl/program.h"
+#include "passes/light_defines.h"
 #include "passes/lod/settings.h"
-#include "passes/scene_draw.h"
 
 namespace macula::passes {
 
@@ -21,7 +21,7 @@ void declareShadingInputs(frame::PassDeclaration& d, const scene::SceneFacts& fa
                           ShadingWork work, const LodParts& parts, bool samples);
 
 /// Defines of lighting.comp, but for which pixels it shades.
-[[nodiscard]] gl::Defines shadingDefines(const scene::SceneFacts& facts, ShadingWork work,
+[[nodiscard]] gl::Defines shadingDefines(const frame::FrameInputs& in, ShadingWork work,
                                          const LodParts& parts);
 
 }  // namespace macula::passes

@@ -11,41 +11,6 @@
 
 namespace macula::passes {
 
-bool needsShadowMap(const scene::SceneFacts& facts) {
-  return facts.shadowLight && facts.opaqueTriangles > 0 &&
-         (facts.litOpaque || facts.litTransparent);
-}
-
-static_assert(static_cast<unsigned>(scene::LightType::Directional) == LIGHT_DIRECTIONAL &&
-              static_cast<unsigned>(scene::LightType::Point) == LIGHT_POINT &&
-              static_cast<unsigned>(scene::LightType::Spot) == LIGHT_SPOT);
-
-gl::Defines lightDefines(const scene::SceneFacts& facts) {
-  gl::Defines defines;
-  if (facts.lights <= facts.lightTypes.size()) {
-    std::string each;
-    for (std::size_t i = 0; i < facts.lights; ++i) {
-      each += fmt::format("F({}, {}u) ", i, static_cast<unsigned>(facts.lightTypes[i]));
-    }
-    defines.emplace_back("EACH_LIGHT(F)", each);
-  }
-  if (facts.environment) defines.emplace_back("ENVIRONMENT", "1");
-  return defines;
-}
-
-gl::Defines lightingDefines(const scene::SceneFacts& facts) {
-  gl::Defines defines = lightDefines(facts);
-  if (!needsShadowMap(facts)) return defines;
-  defines.emplace_back("SHADOWS", "1");
-  if (facts.lights <= facts.lightTypes.size()) {
-    defines.emplace_back("SHADOW_LIGHT", std::to_string(facts.shadowLightNumber));
-  }
-  if (facts.shadowTaps != scene::kUsualShadowTaps) {
-    defines.emplace_back("SHADOW_TAPS", std::to_string(facts.shadowTaps));
-  }
-  return defines;
-}
-
 namespace {
 
 constexpr std::array<const char*, MATERIAL_TEXTURES> kMaps{
@@ -71,7 +36,10 @@ gl::Defines definesOf(const scene::DrawRun& run, gl::Defines defines) {
   add("MASK", run.mask);
   add("TEXTURED", f.textures != 0);
   for (std::size_t i = 0; i < kMaps.size(); ++i) add(kMaps[i], (f.textures >> i & 1U) != 0);
-  add("SECOND_UV", f.secondUv);
+  if (f.secondUv != 0) defines.emplace_back("SECOND_UV", std::to_string(unsigned{f.secondUv}));
+  if (f.veins != 0) defines.emplace_back("VEINS_KIND", fmt::format("{}u", unsigned{f.veins}));
+  add("ALPHA_BLEND", f.alpha == scene::AlphaMode::Blend);
+  add("ALPHA_MASK", f.alpha == scene::AlphaMode::Mask);
   add("VERTEX_COLOR", f.vertexColor);
   add("DOUBLE_SIDED", f.doubleSided);
   add("TRANSMISSION", f.transmission);

@@ -12,16 +12,6 @@
 
 namespace macula::passes {
 
-/// Which lights there are, and ENVIRONMENT: what the lighting functions need without shadows.
-[[nodiscard]] gl::Defines lightDefines(const scene::SceneFacts& facts);
-
-/// Defines that the lighting functions need for this scene (shaders/lib/lighting.glsl).
-[[nodiscard]] gl::Defines lightingDefines(const scene::SceneFacts& facts);
-
-/// Whether a shadow map is worth drawing: a light casts, something opaque can block it, and
-/// something lit receives it.
-[[nodiscard]] bool needsShadowMap(const scene::SceneFacts& facts);
-
 /// The programs for the runs of a draw list: one per combination of what their materials have.
 class SceneVariants {
  public:

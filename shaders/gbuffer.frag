@@ -1,7 +1,11 @@
 // Opaque surfaces into the G-buffer: 20 bytes a sample with depth.
-// MASK: alpha-tested.
+// MASK: alpha-tested. VEINS_KIND: number of the material's veins plus one.
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
+
+#ifndef VEINS_KIND
+#define VEINS_KIND 0u
+#endif
 
 layout(location = 0) out vec2 outNormalOct;
 layout(location = 1) out vec4 outBaseColor;
@@ -15,7 +19,7 @@ void main() {
 #endif
   outNormalOct = encodeOctahedral(s.normal);
   outBaseColor = vec4(s.baseColor, s.metallic);
-  SurfaceKind kind = SurfaceKind(s.unlit, material.flags.z, s.geometricNormal, false);
+  SurfaceKind kind = SurfaceKind(s.unlit, VEINS_KIND, s.geometricNormal, false);
 #ifdef NORMAL_MAP
   kind.mapped = true;
 #endif

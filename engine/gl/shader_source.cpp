@@ -1,6 +1,9 @@
 #include "engine/gl/shader_source.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "engine/core/error.h"
@@ -55,6 +58,13 @@ std::string assembleShader(const std::filesystem::path& root, std::string_view f
   for (const auto& [name, value] : defines) text += fmt::format("#define {} {}\n", name, value);
   Assembler(root).append(std::string(file), text);
   return text;
+}
+
+std::string literal(float value) {
+  std::string text = fmt::format("{:.9g}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  // In parentheses: a second minus, even that of -0, would make a decrement.
+  return std::signbit(value) ? "(" + text + ")" : text;
 }
 
 }  // namespace macula::gl

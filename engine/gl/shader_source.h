@@ -22,4 +22,7 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
                                          const Defines& defines,
                                          const std::vector<std::string>& extensions = {});
 
+/// A constant of the shading language that reads back as the same float. @param value finite
+[[nodiscard]] std::string literal(float value);
+
 }  // namespace macula::gl

@@ -4,6 +4,7 @@
 
 #include "engine/scene/alpha_holes.h"
 #include "engine/scene/gpu_scene.h"
+#include "engine/scene/light_block.h"
 #include "engine/scene/visibility.h"
 #include "shared/bindings.h"
 
@@ -44,15 +45,19 @@ bool hasVertexColor(const Primitive& primitive) {
                      [](const VertexAttributes& v) { return v.color != kWhite; });
 }
 
-SurfaceFeatures featuresOf(const Material& m, bool vertexColor) {
+/// @param vein number of the material's veins or kNone
+SurfaceFeatures featuresOf(const Material& m, bool vertexColor, std::int32_t vein) {
   SurfaceFeatures f;
+  f.veins = static_cast<std::uint8_t>(vein + 1);
   f.vertexColor = vertexColor;
   f.doubleSided = m.doubleSided;
   f.transmission = m.transmission > 0.0F && !m.unlit;
+  f.alpha = m.alphaMode;
   const auto add = [&f](const TextureRef& texture, int unit) {
     if (texture.image == kNone) return;
-    f.textures = static_cast<std::uint8_t>(f.textures | (1U << unit));
-    f.secondUv = f.secondUv || texture.uvSet == 1;
+    const unsigned bit = 1U << unit;
+    f.textures = static_cast<std::uint8_t>(f.textures | bit);
+    if (texture.uvSet == 1) f.secondUv = static_cast<std::uint8_t>(f.secondUv | bit);
   };
   add(m.baseColorTexture, TEX_BASE_COLOR);
   add(m.normalTexture, TEX_NORMAL);
@@ -71,7 +76,8 @@ DrawRun depthRunOf(DrawRun run) {
   SurfaceFeatures f;
   if (tested) {
     f.textures = run.features.textures & (1U << TEX_BASE_COLOR);
-    f.secondUv = f.textures != 0 && run.features.secondUv;
+    f.secondUv = static_cast<std::uint8_t>(run.features.secondUv & f.textures);
+    f.alpha = run.features.alpha;
     f.vertexColor = run.features.vertexColor;
   } else {
     run.material = kNone;
@@ -121,6 +127,7 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
   std::vector<Draw> opaque;
   std::vector<Draw> transparent;
   const std::vector<AlphaHoles> holes = alphaHolesOf(scene);
+  const std::vector<std::int32_t> veins = veinNumbers(scene);
   std::vector<bool> colored;
   std::vector<Bounds> boxes;
   for (const Primitive& primitive : scene.primitives) {
@@ -143,7 +150,9 @@ void GpuScene::buildDrawLists(const Scene& scene, DrawOrder order) {
     draw.key.lit = !material.unlit;
     draw.key.mask = material.alphaMode == AlphaMode::Mask && !material.isTransparent();
     draw.key.holed = holes[instance.primitive] == AlphaHoles::Some;
-    draw.key.features = featuresOf(material, colored[instance.primitive]);
+    const std::int32_t vein =
+        primitive.material == kNone ? kNone : veins[static_cast<std::size_t>(primitive.material)];
+    draw.key.features = featuresOf(material, colored[instance.primitive], vein);
     draw.key.material = primitive.material;
     draw.key.count = 0;
     (material.isTransparent() ? transparent : opaque).push_back(draw);

@@ -16,8 +16,6 @@
 namespace macula::scene {
 namespace {
 
-static_assert(kMostVeins == MAX_VEINS && kMostLights == MAX_LIGHTS);
-
 std::array<const TextureRef*, MATERIAL_TEXTURES> texturesOf(const Material& m) {
   return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
           &m.emissiveTexture};
@@ -36,10 +34,6 @@ gl::Texture upload(const Image& image, bool srgb) {
   glGenerateTextureMipmap(texture.id());
   return texture;
 }
-
-/// A light on a surface is this far away at the least: 1 cm, and less where the scene is small.
-constexpr float kLeastLightDistance = 0.01F;  // metres
-constexpr float kLeastLightRadii = 1e-3F;     // radii of the scene
 
 GLint wrapMode(Sampler::Wrap wrap) {
   switch (wrap) {
@@ -78,49 +72,7 @@ shader::MaterialData dataOf(const Material& m) {
   d.emissive = glm::vec4(m.unlit ? glm::vec3(0.0F) : m.emissive, m.normalScale);
   d.surface = glm::vec4(m.metallic, m.roughness, m.occlusionStrength, m.alphaCutoff);
   d.transmission = glm::vec4(attenuationOf(m), m.transmission);
-  d.flags.x = (m.alphaMode == AlphaMode::Mask ? MATERIAL_MASK : 0U) |
-              (m.alphaMode == AlphaMode::Blend ? MATERIAL_BLEND : 0U);
-  const auto textures = texturesOf(m);
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    if (textures[i]->uvSet == 1) d.flags.y |= 1U << i;
-  }
   return d;
-}
-
-/// Numbers of the materials with veins, in their order; kNone for the others.
-std::vector<std::int32_t> veinNumbers(const Scene& scene) {
-  std::vector<std::int32_t> numbers;
-  std::int32_t next = 0;
-  for (const Material& material : scene.materials) {
-    const bool has = material.veins.any() && !material.unlit && next < MAX_VEINS;
-    numbers.push_back(has ? next++ : kNone);
-  }
-  return numbers;
-}
-
-shader::LightData dataOf(const Light& light) {
-  shader::LightData d{};
-  const auto type = static_cast<float>(light.type);
-  d.position = glm::vec4(light.position, type);
-  d.direction = glm::vec4(light.direction, light.range);
-  d.color = glm::vec4(light.color * light.intensity, light.castsShadow ? 1.0F : 0.0F);
-  // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 keeps equal angles from dividing by
-  // 0.
-  const float cosOuter = std::cos(light.outerConeAngle);
-  d.cone.x = 1.0F / std::max(0.001F, std::cos(light.innerConeAngle) - cosOuter);
-  d.cone.y = -cosOuter * d.cone.x;
-  return d;
-}
-
-/// An orthographic view from the light around the whole scene, clip z 0..1.
-glm::mat4 shadowViewProjectionOf(const Light& light, const Bounds& bounds) {
-  // Any size is drawn; without one the projection would have no inverse.
-  const float radius = bounds.radius() > 0.0F ? bounds.radius() : 1.0F;
-  const glm::vec3 center = bounds.center();
-  const glm::vec3 up =
-      std::abs(light.direction.y) > 0.99F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0, 1, 0);
-  const glm::mat4 view = glm::lookAt(center - light.direction * radius, center, up);
-  return glm::orthoRH_ZO(-radius, radius, -radius, radius, 0.0F, 2.0F * radius) * view;
 }
 
 }  // namespace
@@ -155,40 +107,17 @@ void GpuScene::uploadMaterials(const Scene& scene) {
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   const auto align = static_cast<std::size_t>(alignment);
   materialStride_ = (sizeof(shader::MaterialData) + align - 1) / align * align;
-  const std::vector<std::int32_t> veins = veinNumbers(scene);
   std::vector<std::byte> bytes((scene.materials.size() + 1) * materialStride_);
   for (std::size_t i = 0; i <= scene.materials.size(); ++i) {  // 0: the glTF default one
-    shader::MaterialData data = dataOf(i == 0 ? Material{} : scene.materials[i - 1]);
-    if (i > 0) data.flags.z = static_cast<std::uint32_t>(veins[i - 1] + 1);
+    const shader::MaterialData data = dataOf(i == 0 ? Material{} : scene.materials[i - 1]);
     std::memcpy(&bytes[i * materialStride_], &data, sizeof(data));
   }
   materials_ = gl::Buffer::of<std::byte>("materials", bytes);
 }
 
 void GpuScene::uploadLights(const Scene& scene, const Environment* environment) {
-  shader::LightBlock block{};
-  const std::size_t count = std::min<std::size_t>(scene.lights.size(), MAX_LIGHTS);
-  block.ambient = glm::vec4(scene.ambient, static_cast<float>(count));
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const Light& light = scene.lights[i];
-    if (i < count) block.lights[i] = dataOf(light);  // chooseLights() may put others there
-    if (!light.castsShadow) continue;
-    shadowViewProjection_ = shadowViewProjectionOf(light, bounds_);
-    const glm::mat4 toTexture = glm::scale(glm::translate(glm::mat4(1.0F), {0.5F, 0.5F, 0.0F}),
-                                           glm::vec3(0.5F, 0.5F, 1.0F));
-    block.shadowMatrix = toTexture * shadowViewProjection_;
-    block.shadow.x = 2.0F * bounds_.radius();  // world width of the map; the shader knows its size
-  }
-  const float least = std::min(kLeastLightDistance, kLeastLightRadii * bounds_.radius());
-  block.shadow.y = least * least;
-  block.occlusion =
-      glm::vec4(scene.occlusion.radius, static_cast<float>(scene.occlusion.samples), 0.0F, 0.0F);
-  const std::vector<std::int32_t> veins = veinNumbers(scene);
-  for (std::size_t i = 0; i < veins.size(); ++i) {
-    if (veins[i] == kNone) continue;
-    const Veins& v = scene.materials[i].veins;
-    block.veins[veins[i]] = glm::vec4(v.color, v.scale);
-  }
+  lightBlock_ = lightBlockOf(scene, bounds_, environment);
+  shadowViewProjection_ = shadowViewProjectionOf(scene, bounds_);
   if (environment != nullptr) {
     const Panorama& base = environment->levels.front();
     const auto levels = static_cast<int>(environment->levels.size());
@@ -199,12 +128,8 @@ void GpuScene::uploadLights(const Scene& scene, const Environment* environment) 
       glTextureSubImage2D(environment_.id(), i, 0, 0, level.width, level.height, GL_RGB, GL_FLOAT,
                           level.pixels.data());
     }
-    block.environment = glm::vec4(static_cast<float>(levels), 1.0F, 0.0F, 0.0F);
-    for (std::size_t i = 0; i < environment->irradiance.size(); ++i) {
-      block.irradiance[i] = glm::vec4(environment->irradiance[i], 0.0F);
-    }
   }
-  lights_ = gl::Buffer("lights", sizeof(block), &block);
+  lights_ = gl::Buffer("lights", sizeof(lightBlock_), &lightBlock_);
   lightChoice_ = LightChoice(scene.lights, bounds_);
   if (!lightChoice_.needed()) return;
   for (const Light& light : scene.lights) allLights_.push_back(dataOf(light));

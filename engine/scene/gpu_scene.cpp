@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/alpha_holes.h"
+#include "engine/scene/vertex_order.h"
 #include "engine/scene/visibility.h"
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
@@ -78,8 +79,12 @@ void GpuScene::uploadGeometry(const Scene& scene, DrawOrder order) {
   std::vector<glm::vec3> positions;
   std::vector<VertexAttributes> attributes;
   std::vector<std::uint32_t> indices;
-  for (const Primitive& primitive : scene.primitives) {
-    const Material& material = scene.materialOf(primitive);
+  for (const Primitive& given : scene.primitives) {
+    const Material& material = scene.materialOf(given);
+    // Fragments of transparent triangles carry ids, which follow the file.
+    const bool reorder = !material.isTransparent();
+    const Primitive ordered = reorder ? orderedForDrawing(given) : Primitive{};
+    const Primitive& primitive = reorder ? ordered : given;
     Placement placement;
     placement.firstIndex = static_cast<std::uint32_t>(indices.size());
     placement.indexCount = static_cast<std::uint32_t>(primitive.indices.size());

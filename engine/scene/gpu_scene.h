@@ -10,10 +10,10 @@
 
 #include "engine/gl/objects.h"
 #include "engine/scene/environment.h"
+#include "engine/scene/light_block.h"
 #include "engine/scene/light_choice.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_facts.h"
-#include "shared/scene_data.h"
 
 namespace macula::scene {
 
@@ -22,8 +22,10 @@ enum class CullMode : std::uint8_t { Back, BackMirrored, None };
 /// What the shaders of a run are specialised by.
 struct SurfaceFeatures {
   std::uint8_t textures = 0;  ///< bit TEX_...: the material has the texture
-  bool secondUv = false;      ///< one of them uses the second UV set
-  bool vertexColor = false;   ///< a vertex has a colour that is not white
+  std::uint8_t secondUv = 0;  ///< likewise: it uses the second UV set
+  std::uint8_t veins = 0;     ///< number of the material's veins plus one, 0: none
+  AlphaMode alpha = AlphaMode::Opaque;
+  bool vertexColor = false;  ///< a vertex has a colour that is not white
   bool doubleSided = false;
   bool transmission = false;
   auto operator<=>(const SurfaceFeatures&) const = default;
@@ -78,6 +80,8 @@ class GpuScene {
   }
   /// World to shadow-map clip space of the shadow-casting light; identity where there is none.
   [[nodiscard]] const glm::mat4& shadowViewProjection() const { return shadowViewProjection_; }
+  /// What bindLights() binds, but for the lights of a scene that has more than a frame takes.
+  [[nodiscard]] const shader::LightBlock& lightBlock() const { return lightBlock_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
   /// Binds vertices and instances for drawing.
   void bindGeometry() const;
@@ -111,6 +115,7 @@ class GpuScene {
   Bounds bounds_;
   Bounds transparentBounds_;
   glm::mat4 shadowViewProjection_{1.0F};
+  shader::LightBlock lightBlock_{};
   gl::VertexArrayId vertexArray_;
   gl::Buffer positions_;
   gl::Buffer attributes_;

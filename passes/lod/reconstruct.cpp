@@ -79,7 +79,7 @@ class HolesPass final : public LodPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    gl::Defines defines = shadingDefines(in.facts, work(), plan_.parts);
+    gl::Defines defines = shadingDefines(in, work(), plan_.parts);
     defines.emplace_back("AT_HOLES", "1");
     program_ = programs.get({{"lighting.comp"}, defines, {}});
   }

@@ -65,7 +65,7 @@ class ShadePass final : public LodPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    gl::Defines defines = shadingDefines(in.facts, work(), plan_.parts);
+    gl::Defines defines = shadingDefines(in, work(), plan_.parts);
     pixels_ = programs.get({{"lighting.comp"}, defines, {}});
     if (plan_.demodulates) defines.emplace_back("DEMODULATE", "1");
     defines.emplace_back(plan_.foveated ? "AT_TILES" : "AT_GRID", "1");

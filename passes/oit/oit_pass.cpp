@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/plural.h"
-#include "passes/scene_draw.h"
+#include "passes/light_defines.h"
 #include "shared/bindings.h"
 #include "shared/oit_constants.h"
 #include "shared/oit_totals.h"

@@ -1,6 +1,8 @@
 // Light that leaves a surface point towards the eye: the same functions for opaque and transparent
 // surfaces. SHADOWS: a shadow map is bound. ENVIRONMENT: a panorama is bound. EACH_LIGHT(F): F(i, type)
 // for every light, written out where the scene has few, so that all their types are constants.
+// LIGHT_CONSTANTS: the whole LightBlock, where nothing of it changes; llvmpipe fetches each number of
+// a uniform block for each lane.
 // SHADOW_LIGHT: the number of the one that casts shadows, where EACH_LIGHT is given.
 // DEMODULATE: the part that is proportional to the base colour is also returned separately.
 #include "lib/brdf.glsl"
@@ -8,7 +10,11 @@
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
 
+#ifdef LIGHT_CONSTANTS
+const LightBlock lights = LIGHT_CONSTANTS;
+#else
 layout(std140, binding = UBO_LIGHTS) uniform LightUniforms { LightBlock lights; };
+#endif
 #ifdef SHADOWS
 layout(binding = TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 #endif

@@ -1,6 +1,6 @@
 // The glTF material at a fragment of the scene, specialised by what its run has. TEXTURED: textures; which:
-// BASE_COLOR_MAP, METALLIC_ROUGHNESS_MAP, NORMAL_MAP, OCCLUSION_MAP, EMISSIVE_MAP. SECOND_UV: one of
-// them uses it. VERTEX_COLOR: its vertices have colours. DOUBLE_SIDED: back faces are seen.
+// BASE_COLOR_MAP, METALLIC_ROUGHNESS_MAP, NORMAL_MAP, OCCLUSION_MAP, EMISSIVE_MAP. SECOND_UV:
+// bit TEX_... of those that use it. VERTEX_COLOR: its vertices have colours. DOUBLE_SIDED: back faces are seen.
 // LIT with VERTEX_LIGHT: light comes from the vertices, and there is no normal. UV_ONLY: only the base
 // colour is used. POSITION_ONLY: nothing is, or, WITH_IDS, ids. HOLED: alpha can make a hole of a
 // fragment; a pass calls isThere() before anything else.
@@ -69,9 +69,9 @@ void prepareGradients() {
 #endif
 
 /// @param slot number of the texture
-vec4 sampleSlot(sampler2D map, uint slot) {
+vec4 sampleSlot(sampler2D map, int slot) {
 #ifdef SECOND_UV
-  if ((material.flags.y & (1u << slot)) != 0u) return SAMPLE(map, zw);
+  if ((SECOND_UV & (1 << slot)) != 0) return SAMPLE(map, zw);
 #endif
   return SAMPLE(map, xy);
 }

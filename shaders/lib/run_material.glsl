@@ -1,11 +1,16 @@
-// The material of the run that is drawn.
+// The material of the run that is drawn. ALPHA_BLEND, ALPHA_MASK: its alphaMode (glTF 2.0, section 3.9.4);
+// neither: OPAQUE, which ignores alpha.
 #include "shared/bindings.h"
 #include "shared/scene_data.h"
 
 layout(std140, binding = UBO_MATERIAL) uniform MaterialUniforms { MaterialData material; };
 
-/// glTF 2.0, section 3.9.4: OPAQUE ignores alpha, MASK cuts it.
 float alphaOf(float alpha) {
-  if ((material.flags.x & MATERIAL_BLEND) != 0u) return alpha;
-  return (material.flags.x & MATERIAL_MASK) != 0u ? step(material.surface.w, alpha) : 1.0;
+#if defined(ALPHA_BLEND)
+  return alpha;
+#elif defined(ALPHA_MASK)
+  return step(material.surface.w, alpha);
+#else
+  return 1.0;
+#endif
 }

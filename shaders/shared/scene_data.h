@@ -3,9 +3,6 @@
 #define MACULA_SHARED_SCENE_DATA_H
 #include "shared/cpp_glsl.h"
 
-#define MATERIAL_MASK 1u
-#define MATERIAL_BLEND 2u
-
 // The greatest alpha of a transparent fragment that adds nothing: neither counted nor stored. 2^-25
 // is what half floats, in which fragments are stored, round to 0, and what floats, in which they
 // are put over one another, take away from 1 without a change. With 8-byte fragments, too: their 8
@@ -30,8 +27,6 @@ struct MaterialData {
   vec4 emissive;      // rgb; w: normal scale
   vec4 surface;       // metallic, roughness, occlusion strength, alpha cutoff
   vec4 transmission;  // rgb: attenuation over the thickness; w: transmission factor
-  uvec4 flags;        // x: MATERIAL_*; y: bit i set where texture i uses the second UV set;
-                      // z: number of its veins plus one, 0 for none
 };
 
 struct LightData {

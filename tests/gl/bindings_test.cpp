@@ -292,8 +292,7 @@ const Members kLights{OFFSET(LightBlock, ambient),      OFFSET(LightBlock, envir
 const Members kLight{OFFSET(LightData, position), OFFSET(LightData, direction),
                      OFFSET(LightData, color), OFFSET(LightData, cone)};
 const Members kMaterial{OFFSET(MaterialData, baseColor), OFFSET(MaterialData, emissive),
-                        OFFSET(MaterialData, surface), OFFSET(MaterialData, transmission),
-                        OFFSET(MaterialData, flags)};
+                        OFFSET(MaterialData, surface), OFFSET(MaterialData, transmission)};
 const Members kOitTotalsMembers{OFFSET(OitTotals, importanceLow), OFFSET(OitTotals, importanceHigh),
                                 OFFSET(OitTotals, covered),       OFFSET(OitTotals, starved),
                                 OFFSET(OitTotals, cursor),        OFFSET(OitTotals, countMax),

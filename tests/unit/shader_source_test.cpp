@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "model_network.h"
 #include "oit_combinations.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/utility/demand.h"
 
@@ -48,6 +49,16 @@ TEST(ShaderSource, PutsVersionDefinesAndIncludesTogether) {
   EXPECT_EQ(assembleShader(folder.path(), "main.comp", {{"K", "4"}}, {"GL_X"}),
             "#version 450 core\n#extension GL_X : require\n#define MACULA_GLSL 1\n#define K 4\n"
             "#line 1 0\n#line 1 1\nint a;\n#line 2 0\n#line 3 0\nvoid main() {}\n");
+}
+
+TEST(ShaderSource, LiteralsReadBackAsTheSameFloat) {
+  for (const float value : {0.0F, 1.0F, 0.1F, 16777216.0F, 1e-30F, 3.4e38F, 1.1754944e-38F}) {
+    const std::string text = literal(value);
+    EXPECT_EQ(std::stof(text), value) << text;
+    EXPECT_NE(text.find_first_of(".e"), std::string::npos) << text << " would be an integer";
+  }
+  EXPECT_EQ(literal(-0.5F), "(-0.5)");
+  EXPECT_EQ(literal(-0.0F), "(-0.0)");
 }
 
 TEST(ShaderSource, NamesAMissingInclude) {
@@ -119,15 +130,31 @@ class VariantSet {
   std::set<std::string> seen_;
 };
 
+/// Numbers of every form: negative, whole, small, with an exponent.
+shader::LightBlock sampleLights() {
+  shader::LightBlock block{};
+  block.ambient = {0.1F, 0.0F, 1e-30F, 2.0F};
+  block.shadowMatrix = glm::mat4(-0.5F);
+  block.shadow = {12.5F, 1e-4F, 0.0F, 0.0F};
+  block.lights[0] = {
+      {-1.0F, 2.0F, 3.0F, 1.0F}, {0, 0, -1, 0}, {7e9F, 1, 1, 0}, {1000, -0.0F, 0, 0}};
+  return block;
+}
+
 /// What lit, textured and environment runs add. All of their combinations are compiled with
 /// oit/blend.frag; the least and the most are enough where an option multiplies them.
 const std::vector<std::string> kShading{"LIT",     "TEXTURED",    "HOLED",
                                         "SHADOWS", "ENVIRONMENT", "VERTEX_COLOR"};
 const std::vector<Defines> kShadingEnds{
     {},
-    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}},
-    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}, {"HOLED", "1"}},
-    {{"LIT", "1"}, {"VERTEX_COLOR", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}}};
+    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}, {"SECOND_UV", "1"}, {"ALPHA_BLEND", "1"}},
+    {{"TEXTURED", "1"}, {"BASE_COLOR_MAP", "1"}, {"HOLED", "1"}, {"ALPHA_MASK", "1"}},
+    {{"LIT", "1"}, {"VERTEX_COLOR", "1"}, {"SHADOWS", "1"}, {"ENVIRONMENT", "1"}},
+    {{"LIT", "1"},
+     {"SHADOWS", "1"},
+     {"SHADOW_LIGHT", "1"},
+     {"EACH_LIGHT(F)", "F(0, 1u) F(1, 0u)"},
+     {"LIGHT_CONSTANTS", passes::constantOf(sampleLights())}}};
 
 void addOpaque(std::vector<Variant>& all) {
   addCombinations(all, "scene.vert", {{"POSITION_ONLY", "1"}}, {"SHADOW", "WITH_IDS"});

@@ -1,6 +1,7 @@
 // Methods that store no fragments: blending in draw order, and weighted blended transparency
 // (McGuire and Bavoil 2013), whose weighted sums do not depend on order.
 #include "engine/gl/render_state.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/scene_draw.h"
@@ -28,8 +29,8 @@ class BlendPass final : public OitPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/blend.frag",
-                      lightingDefines(in.facts), {}, programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/blend.frag", lightingDefines(in), {},
+                      programs);
   }
 
  private:
@@ -59,8 +60,8 @@ class WeightedPass final : public OitPass {
   }
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
-    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/weighted.frag",
-                      lightingDefines(in.facts), {}, programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/weighted.frag", lightingDefines(in),
+                      {}, programs);
   }
 
  private:

@@ -1,5 +1,6 @@
 // Fragments into the slots of their pixels.
 #include "engine/gl/render_state.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/scene_draw.h"
@@ -87,7 +88,7 @@ class CapturePass final : public OitPass {
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     gl::Defines defines = captureDefines(plan_);
-    for (auto& define : lightingDefines(in.facts)) defines.push_back(std::move(define));
+    for (auto& define : lightingDefines(in)) defines.push_back(std::move(define));
     variants_.prepare(drawsOf(*in.gpu).runs, "oit/capture.frag", defines, captureExtensions(plan_),
                       programs);
   }

@@ -1,6 +1,7 @@
 // How many fragments a pixel has: counted by additive blending, which needs no atomics, or
 // reprojected from the last frame's capture.
 #include "engine/gl/render_state.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/scene_draw.h"
@@ -85,7 +86,7 @@ class CountColorsPass final : public OitPass {
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     gl::Defines defines{{"VERTEX_LIGHT", "1"}};
-    for (auto& define : lightDefines(in.facts)) defines.push_back(std::move(define));
+    for (auto& define : lightDefines(in)) defines.push_back(std::move(define));
     variants_.prepare(in.gpu->transparent().runs, "oit/count_colors.frag", defines, {}, programs);
   }
 

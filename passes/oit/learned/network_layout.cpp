@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/gl/shader_source.h"
 #include "shared/network.h"
 
 namespace macula::passes {
@@ -38,21 +37,13 @@ std::vector<std::string> learnedFeatures() {
   return names;
 }
 
-/// A constant of the shading language that reads back as the same float.
-std::string literal(float value) {
-  std::string text = fmt::format("{:.9g}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  // In parentheses: a second minus, even that of -0, would make a decrement.
-  return std::signbit(value) ? "(" + text + ")" : text;
-}
-
 /// bias + sum of weight * name_i of one output.
 std::string sumOf(const network::DenseLayer& layer, std::size_t output, char name) {
-  std::string text = literal(layer.bias[output]);
+  std::string text = gl::literal(layer.bias[output]);
   const auto inputs = static_cast<std::size_t>(layer.inputs);
   for (std::size_t i = 0; i < inputs; ++i) {
     const float weight = layer.weights[output * inputs + i];
-    if (weight != 0.0F) text += fmt::format("+{}{}*{}", name, i, literal(weight));
+    if (weight != 0.0F) text += fmt::format("+{}{}*{}", name, i, gl::literal(weight));
   }
   return text;
 }
@@ -62,8 +53,8 @@ std::string sumOf(const network::DenseLayer& layer, std::size_t output, char nam
 std::string bodyOf(const network::Network& network) {
   std::string body;
   for (std::size_t i = 0; i < network.features.size(); ++i) {
-    body += fmt::format("float a{0}=(x[{0}]-{1})*{2};", i, literal(network.mean[i]),
-                        literal(network.scale[i]));
+    body += fmt::format("float a{0}=(x[{0}]-{1})*{2};", i, gl::literal(network.mean[i]),
+                        gl::literal(network.scale[i]));
   }
   char name = 'a';
   for (std::size_t l = 0; l + 1 < network.layers.size(); ++l, ++name) {

@@ -7,6 +7,7 @@
 #include "engine/gl/blocking.h"
 #include "engine/gl/objects.h"
 #include "engine/gl/render_state.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/scene_draw.h"
@@ -107,7 +108,7 @@ class PeelPass final : public OitPass {
     depths_.prepare(transparent.depthRuns, "oit/peel.frag", vertex, {}, programs);
     vertex.back() = {"STAGE_IDS", "1"};
     ids_.prepare(transparent.depthRuns, "oit/peel.frag", vertex, {}, programs);
-    gl::Defines shading = lightingDefines(in.facts);
+    gl::Defines shading = lightingDefines(in);
     shading.emplace_back("STAGE_COLOR", "1");
     colors_.prepare(transparent.runs, "oit/peel.frag", shading, {}, programs);
     layerProgram_ = programs.get({{"oit/peel_layer.comp"}, {}, {}});

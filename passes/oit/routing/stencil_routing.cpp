@@ -9,6 +9,7 @@
 #include "engine/gl/objects.h"
 #include "engine/gl/render_state.h"
 #include "passes/full_screen.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/scene_draw.h"
@@ -142,8 +143,8 @@ class RoutedPass final : public OitPass {
 
   void prepare(const frame::FrameInputs& in, gl::ProgramCache& programs) override {
     routing_ = routingProgram(programs);
-    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/routed.frag",
-                      lightingDefines(in.facts), {}, programs);
+    variants_.prepare(in.gpu->transparentInOrder().runs, "oit/routed.frag", lightingDefines(in), {},
+                      programs);
     if (mode_ == RoutingMode::None) mode_ = checkRouting();
     if (mode_ == RoutingMode::None) {
       failInput(

@@ -2,6 +2,7 @@
 // (shaders/lib/slices.glsl, shaders/lib/predicted_error.glsl).
 #include "engine/gl/render_state.h"
 #include "passes/full_screen.h"
+#include "passes/light_defines.h"
 #include "passes/oit/oit_pass.h"
 #include "passes/oit/passes.h"
 #include "passes/oit/utility/demand.h"
@@ -47,7 +48,7 @@ class SlicesPass final : public OitPass {
     gl::Defines defines = sliceDefines(plan_);
     defines.emplace_back("VERTEX_LIGHT", "1");
     if (plan_.sync == SyncMode::Ordered) defines.emplace_back("SYNC_ORDERED", "1");
-    for (auto& define : lightDefines(in.facts)) defines.push_back(std::move(define));
+    for (auto& define : lightDefines(in)) defines.push_back(std::move(define));
     if (plan_.usesNetwork()) defines.emplace_back("LEARNED", "1");
     variants_.prepare(in.gpu->transparent().runs, "oit/slices.frag", defines, {}, programs);
     if (tiled()) {
