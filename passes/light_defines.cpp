@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <span>
 
 #include "engine/scene/gpu_scene.h"
@@ -16,6 +20,13 @@ static_assert(static_cast<unsigned>(scene::LightType::Directional) == LIGHT_DIRE
 
 bool areFew(const scene::SceneFacts& facts) {
   return facts.lights <= facts.lightTypes.size();
+}
+
+bool isFinite(const shader::LightBlock& block) {
+  static_assert(sizeof(block) % sizeof(float) == 0);
+  std::array<float, sizeof(block) / sizeof(float)> values{};
+  std::memcpy(values.data(), &block, sizeof(block));
+  return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
 std::string textOf(const glm::vec4& v) {
@@ -61,8 +72,10 @@ gl::Defines lightDefines(const frame::FrameInputs& in) {
       each += fmt::format("F({}, {}u) ", i, static_cast<unsigned>(facts.lightTypes[i]));
     }
     defines.emplace_back("EACH_LIGHT(F)", each);
-    // The colours of veins are chosen at run time.
-    if (!facts.veins) defines.emplace_back("LIGHT_CONSTANTS", constantOf(in.gpu->lightBlock()));
+    // The colours of veins are chosen at run time; infinity, to which a light's intensity times its
+    // colour may come, has no literal.
+    if (!facts.veins && isFinite(in.gpu->lightBlock()))
+      defines.emplace_back("LIGHT_CONSTANTS", constantOf(in.gpu->lightBlock()));
   }
   if (facts.environment) defines.emplace_back("ENVIRONMENT", "1");
   return defines;

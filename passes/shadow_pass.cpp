@@ -1,6 +1,7 @@
 #include "passes/shadow_pass.h"
 
 #include "engine/gl/render_state.h"
+#include "passes/light_defines.h"
 #include "passes/resources.h"
 
 namespace macula::passes {

@@ -3,7 +3,6 @@
 
 #include "engine/frame/pass.h"
 #include "engine/frame/pass_context.h"
-#include "passes/light_defines.h"
 #include "passes/scene_draw.h"
 
 namespace macula::passes {

@@ -1,4 +1,6 @@
 // What the programs of runs are specialised by, and what is left out of a view.
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "engine/scene/procedural/mesh_builder.h"
@@ -78,6 +80,47 @@ scene::Scene floorUnderASun(bool roof) {
   add(-1.0F, -9.0F, -1.0F);
   if (roof) add(6.0F, -6.0F, 12.0F);
   return scene;
+}
+
+/// The wall in plain grey, lit from the eye's side.
+scene::Scene litWall(glm::vec3 color, float intensity) {
+  scene::Scene scene = checkedWall(1);
+  scene::Material grey;
+  grey.baseColor = {0.5F, 0.5F, 0.5F, 1.0F};
+  grey.roughness = 0.4F;
+  grey.doubleSided = true;
+  scene.materials[0] = grey;
+  scene::Light light;
+  light.type = scene::LightType::Point;
+  light.color = color;
+  light.intensity = intensity;
+  light.position = {0.3F, 0.2F, 0.5F};
+  light.range = 20.0F;
+  scene.lights.push_back(light);
+  return scene;
+}
+
+TEST_F(GlTest, LightsAreTheSameAsConstantsAndAsUniforms) {
+  scene::Scene scene = litWall({1.0F, 0.8F, 0.6F}, 3.0F);
+  Bench constants(scene, linearSettings("blend"), kSize, device());
+  constants.draw();
+  // More than programs are specialised by, of which only one shines.
+  scene::Light dark;
+  dark.type = scene::LightType::Point;
+  dark.intensity = 0.0F;
+  scene.lights.resize(scene::kSpecialisedLights + 1, dark);
+  Bench uniforms(scene, linearSettings("blend"), kSize, device());
+  uniforms.draw();
+  const std::vector<float> lit = constants.linear();
+  EXPECT_GT(*std::max_element(lit.begin(), lit.end()), 0.1F) << "there is light to compare";
+  EXPECT_LT(largestDifference(lit, uniforms.linear()), 1e-3F) << "halves, and constants fold";
+}
+
+TEST_F(GlTest, ALightBeyondTheRangeOfFloatsStillDraws) {
+  Bench bench(litWall(glm::vec3(100.0F), 3e38F), linearSettings("blend"), kSize, device());
+  bench.draw();
+  const std::vector<float> values = bench.linear();
+  EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }));
 }
 
 TEST_F(GlTest, WhatIsOutsideOfTheViewStillCastsItsShadow) {
